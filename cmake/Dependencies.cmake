@@ -1,0 +1,19 @@
+# Every third-party library in one place. What each is for: docs/decisions/0001-dependencies.md.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(TBB 2021 REQUIRED CONFIG)
+find_package(HDF5 1.10 REQUIRED COMPONENTS C HL)
+find_package(Ceres 2.1 REQUIRED)
+find_package(CLI11 REQUIRED CONFIG)
+find_package(fmt REQUIRED CONFIG)
+find_package(PkgConfig REQUIRED)
+find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)
+
+# toml++ as the shared library: its header-only form aborts by assert on some malformed files.
+# pkg-config carries the definitions that select the shared library; the CMake package does not.
+pkg_check_modules(TOMLPLUSPLUS REQUIRED IMPORTED_TARGET tomlplusplus)
+pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
+
+# Random123 is headers alone, without a CMake package.
+find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
+add_library(ridgeloc_random123 INTERFACE)
+target_include_directories(ridgeloc_random123 SYSTEM INTERFACE ${RANDOM123_INCLUDE_DIR})

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/stream.hpp"
+
+namespace ridgeloc::core {
+
+/// Unknowns of the range model: the position x, y, z in metres.
+inline constexpr std::size_t position_parameters = 3;
+
+/// What a solver may see: a batch of problems with the same number of points, one lane per trial.
+///
+/// The range model. Camera position x (m, unknown), points p_j (m, known), measured ranges
+/// m_j = |p_j - x| + noise (m), detection scores s_j in [0, 1].
+///
+/// Structure of arrays: every accessor returns one quantity of all trials, contiguous, indexed by trial.
+/// `reshape` allocates only when the batch grows. Not synchronized: one batch per thread.
+class ProblemBatch {
+ public:
+  /// Makes room for `trials` problems of `points` points each; contents are unspecified afterwards, scores absent.
+  void reshape(std::size_t points, std::size_t trials);
+
+  std::size_t points() const { return points_; }
+  std::size_t trials() const { return trials_; }
+
+  /// Coordinate `axis` (0 = x, 1 = y, 2 = z) of point `point`, in metres.
+  std::span<double> position(std::size_t point, std::size_t axis) { return column(point * 4 + axis); }
+  std::span<const double> position(std::size_t point, std::size_t axis) const { return column(point * 4 + axis); }
+
+  /// Measured range to point `point`, in metres.
+  std::span<double> measured(std::size_t point) { return column(point * 4 + 3); }
+  std::span<const double> measured(std::size_t point) const { return column(point * 4 + 3); }
+
+  /// Initial value of position coordinate `axis`, in metres.
+  std::span<double> start(std::size_t axis) { return column(points_ * 4 + axis); }
+  std::span<const double> start(std::size_t axis) const { return column(points_ * 4 + axis); }
+
+  /// Detection scores. Without them every score is 1.
+  bool has_scores() const { return has_scores_; }
+  void add_scores();
+  std::span<double> score(std::size_t point) { return column(points_ * 4 + 3 + point); }
+  std::span<const double> score(std::size_t point) const { return column(points_ * 4 + 3 + point); }
+
+ private:
+  std::span<double> column(std::size_t index) { return {values_.data() + index * trials_, trials_}; }
+  std::span<const double> column(std::size_t index) const { return {values_.data() + index * trials_, trials_}; }
+
+  std::size_t points_ = 0;
+  std::size_t trials_ = 0;
+  bool has_scores_ = false;
+  std::vector<double> values_;
+};
+
+/// What only a simulation knows. Solvers that are not oracles use it for one thing alone: to report how similar
+/// their K is to the true one. Only `studies` and tests fill it.
+struct Oracle {
+  std::array<std::span<const double>, position_parameters> truth;  ///< true position (m), by trial
+  double range_sigma_m = 0.0;                                      ///< true standard deviation of the noise
+  Stream k_error;                                                  ///< directions of the error of a perturbed K
+  std::uint64_t first_trial = 0;                                   ///< number of the trial in lane 0
+};
+
+}  // namespace ridgeloc::core

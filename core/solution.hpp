@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/problem.hpp"
+#include "core/status.hpp"
+
+namespace ridgeloc::core {
+
+/// What a solver answers for a batch of problems: structure of arrays, indexed by trial.
+///
+/// Every column starts as "not run" (NaN, 0). `reshape` allocates only when the batch grows. Not synchronized.
+struct SolutionBatch {
+  std::array<std::vector<double>, position_parameters> estimate;  ///< position (m); the last finite iterate
+  std::vector<std::uint8_t> status;                               ///< a `Status` per trial
+  std::vector<double> iterations;        ///< steps computed, the last one included
+  std::vector<double> residual_rms_m;    ///< sqrt(sum e_j^2 / n) at the estimate
+  std::vector<double> gradient_m;        ///< |J'We| / sum w_j at the estimate, with the solver's own weights
+  std::vector<double> eta_first;         ///< similarity of K to the true K at the start (NaN: no K or no oracle)
+  std::vector<double> eta_last;          ///< ... at the last iteration
+  std::vector<double> eta_mean;          ///< ... averaged over the iterations
+
+  void reshape(std::size_t trials);
+  std::size_t trials() const { return status.size(); }
+};
+
+}  // namespace ridgeloc::core

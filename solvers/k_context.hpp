@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/matrix3.hpp"
+#include "core/problem.hpp"
+#include "solvers/options.hpp"
+
+namespace ridgeloc::solvers {
+
+/// Components of a step or an error smaller than this (m) count as this long, so that none sends k to infinity.
+inline constexpr double k_length_floor_m = 1e-9;
+
+/// What an estimator of the ridge parameter may use at one iteration.
+template <class Real>
+struct KContext {
+  core::Vector3<Real> ols_step;  ///< dx_ls: one least-squares step at x_k (only where `needs_ols_step`)
+  Real sigma2;                   ///< e_ls' W e_ls / n at x_k - dx_ls
+  core::Vector3<Real> x;         ///< iterate x_k
+  int iteration = 0;             ///< from 0
+  core::Index<Real> trial;
+  const core::Oracle* oracle = nullptr;
+  const SolverOptions& options;
+};
+
+}  // namespace ridgeloc::solvers

@@ -1,0 +1,60 @@
+#include "core/matrix3.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <random>
+
+#include "catch.hpp"
+
+using namespace ridgeloc;
+
+namespace {
+
+core::Symmetric3<double> from(const Eigen::Matrix3d& m) {
+  return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
+}
+
+}  // namespace
+
+TEST_CASE("solve agrees with Eigen on definite and indefinite matrices") {
+  std::mt19937_64 engine(4);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 1000; ++i) {
+    Eigen::Matrix3d a;
+    Eigen::Vector3d b;
+    for (int r = 0; r < 3; ++r) {
+      b(r) = normal(engine);
+      for (int c = 0; c <= r; ++c) a(r, c) = a(c, r) = normal(engine);
+    }
+    const auto solution = core::solve(from(a), {b(0), b(1), b(2)});
+    const Eigen::Vector3d x(solution.x[0], solution.x[1], solution.x[2]);
+    const double condition = a.norm() * a.inverse().norm();
+    // The adjugate loses at most cond^2 eps of the largest component; 64 covers the operations of the formula.
+    const double bound = 64.0 * condition * condition * std::numeric_limits<double>::epsilon();
+    CHECK((x - a.fullPivLu().solve(b)).norm() <= bound * x.norm());
+    CHECK_FALSE(solution.singular);
+  }
+}
+
+TEST_CASE("solve calls a matrix singular by Hadamard's bound, whatever the scale of its rows") {
+  const Eigen::Vector3d u(0.6, 0.0, 0.8);
+  const Eigen::Vector3d v(0.0, 1.0, 0.0);
+  const Eigen::Matrix3d rank_two = u * u.transpose() + v * v.transpose();
+  for (const double scale : {1e-30, 1.0, 1e30}) {
+    CHECK(core::solve(from(scale * rank_two), {1.0, 1.0, 1.0}).singular);
+    CHECK_FALSE(core::solve(from(scale * Eigen::Matrix3d::Identity()), {1.0, 1.0, 1.0}).singular);
+  }
+  CHECK(core::solve<double>({}, {1.0, 1.0, 1.0}).singular);
+
+  // Diagonal matrices are as well conditioned as their rows are scaled: a ridge of 1e12 in one component alone.
+  const auto scaled = core::solve<double>({1e12, 0.1, 0.1, 2.0, 0.3, 1.0}, {1e12, 2.0, 1.0});
+  CHECK_FALSE(scaled.singular);
+  CHECK(scaled.x[0] == Approx(1.0));
+}
+
+TEST_CASE("solve answers what is not finite with what is not finite, not with singular") {
+  const double nan = std::nan("");
+  const auto solution = core::solve<double>({nan, 0.0, 0.0, 1.0, 0.0, 1.0}, {1.0, 1.0, 1.0});
+  CHECK_FALSE(solution.singular);
+  CHECK_FALSE(std::isfinite(solution.x[0]));
+}
