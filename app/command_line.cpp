@@ -1,0 +1,169 @@
+#include "app/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <new>
+#include <string>
+#include <thread>
+
+#include "app/build_info.hpp"
+#include "app/exit_code.hpp"
+#include "app/verbs.hpp"
+#include "core/error.hpp"
+#include "studies/experiment.hpp"
+#include "studies/listing.hpp"
+
+namespace ridgeloc::app {
+
+namespace {
+
+constexpr int max_threads = 1024;
+
+/// "1e6" as TOML would have it, "1000000"; other texts unchanged, for the study reader to judge.
+std::string whole_number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool exact = end != text.c_str() && *end == '\0' && value == std::floor(value) && std::fabs(value) < 1e15;
+  return exact ? fmt::format("{:.0f}", value) : text;
+}
+
+void add_study_options(CLI::App& verb, StudyOptions& options) {
+  verb.add_option("STUDY", options.studies, "study files, or names from the catalog (ridgeloc list studies)")
+      ->required();
+  verb.add_option_function<std::string>(
+          "--trials", [&options](const std::string& n) { options.overrides.push_back("trials=" + whole_number(n)); },
+          "trials per cell (10000, 1e6)")
+      ->type_name("N");
+  verb.add_option_function<std::string>(
+          "--seed", [&options](const std::string& n) { options.overrides.push_back("seed=" + whole_number(n)); },
+          "seed of all random numbers")
+      ->type_name("N");
+  verb.add_option_function<std::vector<std::string>>(
+          "--set",
+          [&options](const std::vector<std::string>& items) {
+            options.overrides.insert(options.overrides.end(), items.begin(), items.end());
+          },
+          "overrides a key of the study, for example scene.depth_m=[2,15] or method.0.k=fixed; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  verb.add_option("--threads", options.threads, "threads to use")
+      ->default_val(std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, max_threads))
+      ->check(CLI::Range(1, max_threads));
+}
+
+std::vector<std::string> experiment_names() {
+  std::vector<std::string> names;
+  for (const studies::Experiment* e : studies::experiment_registry()) names.emplace_back(e->name());
+  return names;
+}
+
+/// The verbs with their options, and what the chosen one does.
+class CommandLine {
+ public:
+  CommandLine() {
+    app_.require_subcommand(1);
+    app_.set_version_flag("--version", "ridgeloc " + build_provenance().program_version);
+    app_.footer("Exit codes: 0 done, 2 bad input, 3 reading or writing failed, 4 stopped by a signal (finished work kept).");
+
+    CLI::App& list_verb = verb("list", "what there is: solvers, K estimators, metrics, studies, ...",
+                               [this] { return list(list_); });
+    list_verb.add_option("TOPIC", list_.topic, "one topic only")->check(CLI::IsMember(studies::listing_topics()));
+
+    CLI::App& new_verb = verb("new", "print a commented study file to start from", [this] { return new_study(new_); });
+    new_verb.add_option("EXPERIMENT", new_.experiment)->required()->check(CLI::IsMember(experiment_names()));
+    new_verb.add_option("-o", new_.output, "file to write")->type_name("FILE");
+
+    add_study_options(verb("plan", "cells, blocks, time and disk of a study, without running it",
+                           [this] { return plan(plan_); }),
+                      plan_);
+
+    CLI::App& run_verb = verb("run", "run studies; goes on where a stopped run of the same study left off",
+                              [this] { return run(run_); });
+    add_study_options(run_verb, run_.study);
+    run_verb.add_option("-o", run_.output, "result file, or a folder for several studies")->type_name("PATH");
+
+    CLI::App& summary_verb = verb("summary", "print a result as tables", [this] { return summary(summary_); });
+    summary_verb.add_option("RESULT", summary_.results, "result files")->required();
+
+    CLI::App& export_verb = verb("export", "write a result as CSV", [this] { return export_result(export_); });
+    export_verb.add_option("RESULT", export_.result, "result file")->required();
+    export_verb.add_flag("--csv", export_.csv, "comma-separated values (the default)");
+    export_verb.add_flag("--trials", export_.trials, "a row per kept trial instead");
+    export_verb.add_option("-o", export_.output, "file to write")->type_name("FILE");
+
+    CLI::App& plot_verb = verb("plot", "draw the figures of a result", [this] { return plot(plot_); });
+    plot_verb.add_option("RESULT", plot_.result, "result file")->required();
+    plot_verb.add_option("-o", plot_.output, "folder, or a file for one figure")->type_name("PATH");
+    plot_verb.add_option("--figure", plot_.figures, "name of a figure; may be repeated (default: all)")
+        ->type_name("NAME")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+    plot_verb.add_option("--format", plot_.formats, "svg, pdf or png; may be repeated (default: svg)")
+        ->check(CLI::IsMember({"svg", "pdf", "png"}))
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+  }
+
+  int run_verb(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::CallForHelp& help) {
+      return app_.exit(help);
+    } catch (const CLI::CallForVersion& version) {
+      return app_.exit(version);
+    } catch (const CLI::ParseError& error) {
+      fmt::print(stderr, "ridgeloc: {} (see ridgeloc {}--help)\n", error.what(), chosen_name());
+      return BadInput;
+    }
+    return action_();
+  }
+
+ private:
+  CLI::App& verb(const char* name, const char* description, std::function<int()> action) {
+    CLI::App* sub = app_.add_subcommand(name, description);
+    sub->final_callback([this, action = std::move(action)] { action_ = action; });
+    return *sub;
+  }
+
+  std::string chosen_name() const {
+    const auto chosen = app_.get_subcommands();
+    return chosen.empty() ? "" : chosen.front()->get_name() + " ";
+  }
+
+  CLI::App app_{"Monte Carlo studies for robust ridge localization", "ridgeloc"};
+  std::function<int()> action_;
+  ListOptions list_;
+  NewOptions new_;
+  StudyOptions plan_;
+  RunOptions run_;
+  SummaryOptions summary_;
+  ExportOptions export_;
+  PlotOptions plot_;
+};
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  try {
+    return CommandLine().run_verb(argc, argv);
+  } catch (const core::InputError& error) {
+    fmt::print(stderr, "ridgeloc: {}\n", error.what());
+    return BadInput;
+  } catch (const core::IoError& error) {
+    fmt::print(stderr, "ridgeloc: {}\n", error.what());
+    return IoFailure;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "ridgeloc: out of memory; a smaller sweep or fewer threads needs less\n");
+    return IoFailure;
+  }
+}
+
+}  // namespace ridgeloc::app

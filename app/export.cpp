@@ -1,0 +1,29 @@
+#include <ostream>
+
+#include "app/exit_code.hpp"
+#include "app/output.hpp"
+#include "app/verbs.hpp"
+#include "results/csv.hpp"
+#include "results/result_file.hpp"
+
+namespace ridgeloc::app {
+
+int export_result(const ExportOptions& options) {
+  if (!options.trials) {
+    const results::Summary summary = results::read_result(options.result);
+    write_output(options.output, [&](std::ostream& out) { results::write_summary_csv(summary, out); });
+    return Success;
+  }
+  const results::Header header = results::read_result_header(options.result);
+  write_output(options.output, [&](std::ostream& out) {
+    results::write_trials_csv_heading(header, out);
+    for (std::size_t cell = 0; cell < header.cells.size(); ++cell) {
+      for (std::size_t method = 0; method < header.methods.size(); ++method) {
+        results::write_trials_csv(header, cell, method, results::read_trials(options.result, cell, method), out);
+      }
+    }
+  });
+  return Success;
+}
+
+}  // namespace ridgeloc::app

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <atomic>
+
+namespace ridgeloc::app {
+
+/// Lets SIGINT and SIGTERM ask for a stop instead of killing the program; a second one kills it.
+/// The flag becomes true when a signal has come.
+const std::atomic<bool>& stop_on_signals();
+
+}  // namespace ridgeloc::app

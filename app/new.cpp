@@ -1,0 +1,24 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <ostream>
+
+#include "app/exit_code.hpp"
+#include "app/output.hpp"
+#include "app/verbs.hpp"
+#include "core/error.hpp"
+#include "studies/study_writer.hpp"
+
+namespace ridgeloc::app {
+
+int new_study(const NewOptions& options) {
+  const studies::Experiment& experiment = *studies::find_experiment(options.experiment);
+  if (!options.output.empty() && std::filesystem::exists(options.output)) {
+    throw core::InputError(options.output + ": exists already; choose another -o or remove it");
+  }
+  write_output(options.output, [&](std::ostream& out) { out << studies::template_toml(experiment); });
+  if (!options.output.empty()) fmt::print("{}\n", options.output);
+  return Success;
+}
+
+}  // namespace ridgeloc::app

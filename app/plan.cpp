@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "app/duration.hpp"
+#include "app/exit_code.hpp"
+#include "app/verbs.hpp"
+#include "core/units.hpp"
+#include "studies/pilot.hpp"
+#include "studies/study_reader.hpp"
+
+namespace ridgeloc::app {
+
+namespace {
+
+constexpr double pilot_budget_s = 2.0;
+
+void print_plan(const studies::Study& study, int threads) {
+  const studies::Plan plan = studies::make_plan(study);
+  const auto cells = static_cast<double>(plan.cells.size());
+  const double trials = cells * static_cast<double>(study.trials);
+  const double kept =
+      cells * static_cast<double>(std::min(study.trials, plan.header.trial_column_blocks * plan.header.block_trials));
+  const double columns_mib = kept * static_cast<double>(studies::bytes_per_trial(study)) / core::mebibyte;
+  const studies::Pilot pilot = studies::run_pilot(study, plan, pilot_budget_s);
+
+  fmt::print("{}: {}\n", study.name, study.title);
+  for (const auto& axis : plan.header.axes) fmt::print("  axis     {} ({} values)\n", axis.name, axis.values.size());
+  for (const auto& method : study.methods) fmt::print("  method   {} ({})\n", method.label, method.solver);
+  fmt::print("  cells    {}\n", plan.cells.size());
+  fmt::print("  trials   {:.0f} ({} per cell)\n", trials, study.trials);
+  fmt::print("  blocks   {} ({} per cell of {} trials)\n", plan.blocks_per_cell * plan.cells.size(),
+             plan.blocks_per_cell, plan.header.block_trials);
+  fmt::print("  pilot    {:.3g} us per trial and thread, all methods ({} trials)\n", pilot.seconds_per_trial * 1e6,
+             pilot.trials);
+  fmt::print("  time     about {} on {} thread{}\n", duration_text(pilot.seconds_per_trial * trials / threads), threads,
+             threads == 1 ? "" : "s");
+  fmt::print("  disk     about {:.1f} MiB of per-trial columns ({:.0f} trials kept) besides the summaries\n", columns_mib,
+             kept);
+}
+
+}  // namespace
+
+int plan(const StudyOptions& options) {
+  for (const std::string& name : options.studies) {
+    print_plan(studies::read_study(studies::find_study(name), options.overrides), options.threads);
+  }
+  return Success;
+}
+
+}  // namespace ridgeloc::app

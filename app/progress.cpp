@@ -1,0 +1,83 @@
+#include "app/progress.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <cstdlib>
+#include <mutex>
+#include <string_view>
+
+#include "app/duration.hpp"
+
+namespace ridgeloc::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto terminal_interval = std::chrono::milliseconds(100);
+constexpr auto log_interval = std::chrono::seconds(10);
+constexpr std::size_t bar_width = 24;
+
+bool is_terminal() {
+  const char* term = std::getenv("TERM");
+  return isatty(STDERR_FILENO) == 1 && term != nullptr && std::string_view(term) != "dumb";
+}
+
+std::size_t terminal_columns() {
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
+std::string rate_text(double trials_per_second) {
+  if (trials_per_second >= 1e6) return fmt::format("{:.2f} M trials/s", trials_per_second / 1e6);
+  if (trials_per_second >= 1e3) return fmt::format("{:.1f} k trials/s", trials_per_second / 1e3);
+  return fmt::format("{:.0f} trials/s", trials_per_second);
+}
+
+}  // namespace
+
+ProgressDisplay::ProgressDisplay(std::string name, const studies::RunProgress& progress, std::uint64_t total_blocks)
+    : terminal_(is_terminal()),
+      thread_([this, name = std::move(name), &progress, total_blocks](const std::stop_token& stop) {
+        show(stop, name, progress, total_blocks);
+      }) {}
+
+void ProgressDisplay::show(const std::stop_token& stop, const std::string& name,
+                           const studies::RunProgress& progress, std::uint64_t total_blocks) const {
+  std::mutex mutex;
+  std::condition_variable_any wake;
+  std::unique_lock lock(mutex);
+  const Clock::time_point begin = Clock::now();
+  const std::uint64_t blocks_before = progress.blocks_done.load();
+  while (!wake.wait_for(lock, stop, terminal_ ? Clock::duration(terminal_interval) : Clock::duration(log_interval),
+                        [&] { return stop.stop_requested(); })) {
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    const auto done = static_cast<double>(progress.blocks_done.load());
+    const double share = done / static_cast<double>(total_blocks);
+    const double speed = (done - static_cast<double>(blocks_before)) / seconds;
+    const std::string left =
+        speed > 0.0 ? duration_text((static_cast<double>(total_blocks) - done) / speed) : std::string("?");
+    const std::string rate = rate_text(static_cast<double>(progress.trials_done.load()) / seconds);
+    if (terminal_) {
+      const auto filled = static_cast<std::size_t>(share * bar_width);
+      std::string line = fmt::format("{} {:3.0f}% [{}{}] {}, {} left", name, share * 100.0, std::string(filled, '#'),
+                                     std::string(bar_width - filled, '.'), rate, left);
+      line.resize(std::min(line.size(), terminal_columns() - 1));
+      fmt::print(stderr, "\r{}\x1b[K", line);
+      std::fflush(stderr);
+    } else {
+      fmt::print(stderr, "{}: {:.1f} %, {}, {} left\n", name, share * 100.0, rate, left);
+    }
+  }
+  if (terminal_) {
+    fmt::print(stderr, "\r\x1b[K");
+    std::fflush(stderr);
+  }
+}
+
+}  // namespace ridgeloc::app

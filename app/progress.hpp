@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <thread>
+
+#include "studies/runner.hpp"
+
+namespace ridgeloc::app {
+
+/// Shows on standard error how far a run is: on a terminal a bar with rate and time left, redrawn ten times a second;
+/// elsewhere (a log, TERM=dumb) a plain line every ten seconds. The bar goes when the object does.
+class ProgressDisplay {
+ public:
+  ProgressDisplay(std::string name, const studies::RunProgress& progress, std::uint64_t total_blocks);
+
+ private:
+  void show(const std::stop_token& stop, const std::string& name, const studies::RunProgress& progress,
+            std::uint64_t total_blocks) const;
+
+  bool terminal_;
+  std::jthread thread_;  // last: it reads the members above
+};
+
+}  // namespace ridgeloc::app

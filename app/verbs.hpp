@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The verbs of the program, one source file each. Each returns an exit code, or throws core::InputError or
+/// core::IoError, which `main` turns into one line and an exit code.
+namespace ridgeloc::app {
+
+struct ListOptions {
+  std::string topic;  ///< empty: all
+};
+int list(const ListOptions& options);
+
+struct NewOptions {
+  std::string experiment;
+  std::string output;  ///< empty: standard output
+};
+int new_study(const NewOptions& options);
+
+/// Options that every verb reading studies shares.
+struct StudyOptions {
+  std::vector<std::string> studies;    ///< paths or catalog names
+  std::vector<std::string> overrides;  ///< KEY=VALUE, --trials and --seed among them
+  int threads = 0;                     ///< 0: all processors
+};
+
+int plan(const StudyOptions& options);
+
+struct RunOptions {
+  StudyOptions study;
+  std::string output;  ///< a file, or a folder for several studies; empty: NAME.h5 here
+};
+int run(const RunOptions& options);
+
+struct SummaryOptions {
+  std::vector<std::string> results;
+};
+int summary(const SummaryOptions& options);
+
+struct ExportOptions {
+  std::string result;
+  std::string output;   ///< empty: standard output
+  bool csv = true;
+  bool trials = false;  ///< rows per trial instead of per metric
+};
+int export_result(const ExportOptions& options);
+
+struct PlotOptions {
+  std::string result;
+  std::string output;                ///< a file for one figure, or a folder; empty: here
+  std::vector<std::string> formats;  ///< "svg", "pdf", "png"
+  std::vector<std::string> figures;  ///< names; empty: all
+};
+int plot(const PlotOptions& options);
+
+}  // namespace ridgeloc::app

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "results/digest.hpp"
+#include "results/ledger.hpp"
+#include "results/schema.hpp"
+
+namespace ridgeloc::results {
+
+/// The values of each trial of one block, for one method.
+struct TrialColumns {
+  std::size_t cell = 0;
+  std::size_t method = 0;
+  std::uint64_t block = 0;
+  std::uint64_t trials = 0;
+  std::vector<std::uint8_t> status;          ///< empty: the method reports none
+  std::vector<std::vector<double>> metrics;  ///< per `Schema::metrics`; empty: not given
+
+  std::size_t bytes() const;
+
+  friend bool operator==(const TrialColumns&, const TrialColumns&) = default;
+};
+
+/// Takes the columns of one block of one cell from an experiment and reduces each at once.
+///
+/// Columns hold one value per trial, in trial order. A method may give any of them, each at most once; one
+/// that gives neither statuses nor events (a bound that belongs to the scene, say) reports no events. The
+/// digest of a method covers its columns in the order given, which must therefore not vary. Misuse throws
+/// std::invalid_argument. One thread at a time per object.
+class BlockSink {
+ public:
+  /// Precondition: cell and trials are in range, and so are methods, events and metrics in the calls below.
+  BlockSink(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials);
+
+  /// Status codes; counted as the status events that open the schema.
+  void status(std::size_t method, std::span<const std::uint8_t> codes);
+  /// Zero or one per trial. Precondition: `event` is not a status.
+  void event(std::size_t method, std::size_t event, std::span<const std::uint8_t> flags);
+  /// NaN: the trial is not in the metric's population.
+  void metric(std::size_t method, std::size_t metric, std::span<const double> values);
+
+  std::size_t cell() const { return cell_; }
+  std::uint64_t block() const { return block_; }
+  std::uint64_t trials() const { return trials_; }
+
+  /// The finished block: one row per method of the study. Empties the sink.
+  std::vector<Row> take_rows();
+  /// The columns of the block where the study keeps them, of methods that gave any. Empties the sink.
+  std::vector<TrialColumns> take_columns();
+
+ private:
+  struct PerMethod {
+    Statistics statistics;
+    Digest64 digest;
+    TrialColumns columns;
+    bool has_columns = false;
+  };
+
+  PerMethod& begin_column(std::size_t method, std::uint64_t kind, std::size_t index,
+                          std::span<const std::byte> bytes, std::size_t values);
+  std::vector<std::uint64_t>& events_of(PerMethod& method) const;
+
+  std::size_t cell_;
+  std::uint64_t block_;
+  std::uint64_t trials_;
+  std::size_t events_;
+  std::size_t statuses_;
+  bool keeps_columns_;
+  std::vector<PerMethod> methods_;
+};
+
+}  // namespace ridgeloc::results

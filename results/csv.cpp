@@ -1,0 +1,137 @@
+#include "results/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "results/text.hpp"
+
+namespace ridgeloc::results {
+namespace {
+
+/// Collects lines and hands them to the stream in large pieces.
+class CsvWriter {
+ public:
+  explicit CsvWriter(std::ostream& out) : out_(out) {}
+
+  void text(std::string_view value) {
+    separate();
+    if (value.find_first_of(",\"\n") == std::string_view::npos) {
+      buffer_.append(value);
+      return;
+    }
+    buffer_.push_back('"');
+    for (const char c : value) {
+      if (c == '"') buffer_.push_back('"');
+      buffer_.push_back(c);
+    }
+    buffer_.push_back('"');
+  }
+
+  void number(double value) {
+    separate();
+    buffer_.append(exact_text(value));
+  }
+
+  void number(std::uint64_t value) {
+    separate();
+    fmt::format_to(std::back_inserter(buffer_), "{}", value);
+  }
+
+  void end_line() {
+    buffer_.append(std::string_view("\n"));
+    line_started_ = false;
+    constexpr std::size_t piece = std::size_t{1} << 16;
+    if (buffer_.size() >= piece) flush();
+  }
+
+  void flush() {
+    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    buffer_.clear();
+    if (!out_.flush())
+      throw core::IoError("cannot write the CSV output: is the disk full or the reader gone?");
+  }
+
+ private:
+  void separate() {
+    if (line_started_) buffer_.push_back(',');
+    line_started_ = true;
+  }
+
+  std::ostream& out_;
+  fmt::memory_buffer buffer_;
+  bool line_started_ = false;
+};
+
+void write_axis_names(const Header& header, CsvWriter& csv) {
+  for (const Axis& axis : header.axes) csv.text(axis.name);
+}
+
+void write_factors(const Header& header, std::size_t cell, CsvWriter& csv) {
+  for (std::size_t axis = 0; axis < header.axes.size(); ++axis) {
+    csv.text(factor_text(header.axes[axis].values[header.cells[cell].indices[axis]]));
+  }
+}
+
+}  // namespace
+
+void write_summary_csv(const Summary& summary, std::ostream& out) {
+  CsvWriter csv(out);
+  write_axis_names(summary.header, csv);
+  for (const char* name :
+       {"method", "metric", "unit", "n",  "mean", "mcse",    "sd",     "min",    "p05",    "p25",    "p50",
+        "p75",    "p95",    "max",  "lo", "hi",   "trusted", "beyond", "p50_lo", "p50_hi", "sd_mcse"}) {
+    csv.text(name);
+  }
+  csv.end_line();
+  for (const SummaryRow& row : summary_rows(summary)) {
+    write_factors(summary.header, row.cell, csv);
+    csv.text(summary.header.methods[row.method].label);
+    csv.text(row.metric);
+    csv.text(row.unit);
+    csv.number(row.n);
+    for (const double value : {row.mean, row.mcse, row.sd, row.min, row.p05, row.p25, row.p50, row.p75,
+                               row.p95, row.max, row.lo, row.hi}) {
+      csv.number(value);
+    }
+    csv.number(std::uint64_t{row.trusted});
+    csv.number(row.beyond);
+    csv.number(row.p50_lo);
+    csv.number(row.p50_hi);
+    csv.number(row.sd_mcse);
+    csv.end_line();
+  }
+  csv.flush();
+}
+
+void write_trials_csv_heading(const Header& header, std::ostream& out) {
+  CsvWriter csv(out);
+  write_axis_names(header, csv);
+  for (const char* name : {"trial", "method", "status"}) csv.text(name);
+  for (const MetricInfo& metric : header.schema.metrics) csv.text(metric.name);
+  csv.end_line();
+  csv.flush();
+}
+
+void write_trials_csv(const Header& header, std::size_t cell, std::size_t method, const TrialTable& trials,
+                      std::ostream& out) {
+  CsvWriter csv(out);
+  for (std::size_t row = 0; row < trials.trial.size(); ++row) {
+    write_factors(header, cell, csv);
+    csv.number(trials.trial[row]);
+    csv.text(header.methods[method].label);
+    csv.text(trials.status.empty() ? "" : header.schema.events.at(trials.status[row]).name);
+    for (const std::vector<double>& metric : trials.metrics) {
+      csv.number(metric.empty() ? std::numeric_limits<double>::quiet_NaN() : metric[row]);
+    }
+    csv.end_line();
+  }
+  csv.flush();
+}
+
+}  // namespace ridgeloc::results

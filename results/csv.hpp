@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+
+#include "results/result_file.hpp"
+#include "results/summary.hpp"
+
+namespace ridgeloc::results {
+
+/// Comma-separated values as RFC 4180 has them (UTF-8, fields quoted where needed), but for lines that end in LF.
+/// Numbers are written in the shortest form that reads back as the same double; `nan` stands where a quantity
+/// is not defined and `inf` for a failed trial, as R, pandas, Julia and MATLAB read them. Throws
+/// core::IoError when `out` fails.
+
+/// Long form, one row per cell, method and metric: the axes, then method, metric, unit, n, mean, mcse, sd,
+/// min, p05, p25, p50, p75, p95, max, lo, hi, trusted (1 or 0), beyond, p50_lo, p50_hi, sd_mcse. The columns
+/// mean what they do in `SummaryRow`.
+void write_summary_csv(const Summary& summary, std::ostream& out);
+
+/// Heading of the rows per trial: the axes, trial, method, status, then one column per metric.
+void write_trials_csv_heading(const Header& header, std::ostream& out);
+
+/// The kept trials of one method in one cell under that heading; metrics that the method does not report are `nan`.
+/// Precondition: the columns of `trials` are empty or of equal length, as `read_trials` gives them.
+void write_trials_csv(const Header& header, std::size_t cell, std::size_t method, const TrialTable& trials,
+                      std::ostream& out);
+
+}  // namespace ridgeloc::results

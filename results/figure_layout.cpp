@@ -1,0 +1,209 @@
+#include "results/figure_layout.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "results/text.hpp"
+
+namespace ridgeloc::results {
+namespace {
+
+// Mean advance of a character, in millimetres: 0.53 em (a wide sans serif) of the font sizes that the script
+// uses.
+constexpr double title_character = 1.5;      // 8.5 pt
+constexpr double small_character = 1.3;      // 7 pt: axes, legend, ticks
+constexpr double footnote_character = 1.02;  // 5.5 pt
+
+constexpr double single_panel_height = 50.0;
+constexpr double stacked_panel_height = 38.0;
+constexpr double between_panels = 3.0;
+
+std::size_t characters(double millimetres, double character) {
+  return static_cast<std::size_t>(millimetres / character);
+}
+
+/// Puts entries into columns of equal width below `y`; returns where the next line goes.
+double place_legend(const std::vector<std::string>& texts, bool is_metric, double y, FigureLayout& layout) {
+  if (texts.size() < 2) return y;
+  std::size_t longest = 0;
+  for (const std::string& text : texts) longest = std::max(longest, display_width(text));
+  const double entry = FigureLayout::sample_length + FigureLayout::sample_gap +
+                       static_cast<double>(longest) * small_character + 2.5;
+  const double room = FigureLayout::width - 2.0 * FigureLayout::edge;
+  const std::size_t fitting = std::max<std::size_t>(1, static_cast<std::size_t>(room / entry));
+  const std::size_t rows = (texts.size() + fitting - 1) / fitting;
+  const std::size_t columns = (texts.size() + rows - 1) / rows;
+  const double used = std::min(room, static_cast<double>(columns) * entry);
+  const double first = (FigureLayout::width - used) / 2.0;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    layout.legend.push_back({first + static_cast<double>(i % columns) * entry,
+                             y + static_cast<double>(i / columns) * FigureLayout::line_height, is_metric, i});
+  }
+  return y + static_cast<double>(rows) * FigureLayout::line_height;
+}
+
+double place_panels(const FigureData& data, double y, FigureLayout& layout) {
+  const bool several = data.panels.size() > 1;
+  for (const FigurePanel& panel : data.panels) {
+    PanelLayout place;
+    if (!panel.label.empty()) {
+      place.label_y = y + 1.0;
+      y += FigureLayout::line_height;
+    }
+    place.top = y;
+    place.bottom = y + (several ? stacked_panel_height : single_panel_height);
+    y = place.bottom + between_panels;
+    layout.panels.push_back(place);
+  }
+  return y - between_panels;
+}
+
+std::size_t line_count(const FigureData& data) {
+  return data.groups.size() * data.metrics.size();
+}
+
+/// Sets the x axis and the sideways step between lines.
+void place_x(const FigureData& data, FigureLayout& layout) {
+  const auto scaled = [&](const FigureTick& tick) {
+    return data.log_x ? std::log10(tick.position) : tick.position;
+  };
+  const double low = scaled(data.x_ticks.front());
+  const double high = scaled(data.x_ticks.back());
+  const double span = high > low ? high - low : 1.0;
+  double spacing = span;
+  for (std::size_t i = 1; i < data.x_ticks.size(); ++i) {
+    spacing = std::min(spacing, scaled(data.x_ticks[i]) - scaled(data.x_ticks[i - 1]));
+  }
+  // Marks are about 2 % of the axis wide; all lines together keep within 0.6 of the distance of two values.
+  const double lines = static_cast<double>(line_count(data));
+  layout.dodge = std::min(0.02 * span, 0.6 * spacing / lines);
+  const double padding = 0.04 * span + 0.5 * layout.dodge * (lines - 1.0);
+  layout.x = {low - padding, high + padding};
+  if (data.log_x) layout.x = {std::pow(10.0, layout.x.low), std::pow(10.0, layout.x.high)};
+}
+
+FigureRange linear_range(FigureRange range) {
+  // Zero belongs to the axis where it is near: heights can then be compared as they look.
+  if (range.low > 0.0 && range.low < 0.4 * range.high) range.low = 0.0;
+  const double span = range.high - range.low;
+  const double padding = span > 0.0 ? 0.06 * span : std::max(0.1 * std::abs(range.high), 1e-3);
+  return {range.low == 0.0 ? 0.0 : range.low - padding, range.high + padding};
+}
+
+FigureRange y_range(const FigureData& data) {
+  FigureRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const FigurePanel& panel : data.panels) {
+    for (const FigureLine& line : panel.lines) {
+      for (const FigurePoint& point : line.points) {
+        if (!is_drawable(point, data.log_y)) continue;
+        // On a logarithmic axis a bar that reaches to zero would stretch the axis without end.
+        const double lo = data.log_y ? std::max(point.lo, point.y / 3.0) : point.lo;
+        range.low = std::min({range.low, point.y, std::isfinite(lo) ? lo : point.y});
+        range.high = std::max({range.high, point.y, std::isfinite(point.hi) ? point.hi : point.y});
+      }
+    }
+  }
+  if (range.low > range.high) return data.log_y ? FigureRange{0.1, 1.0} : FigureRange{};
+  if (!data.log_y) return linear_range(range);
+  const double factor = std::max(std::pow(range.high / range.low, 0.06), 1.1);
+  return {range.low / factor, range.high * factor};
+}
+
+/// Share of the axis, in [0, 1].
+double share(const FigureRange& range, bool logarithmic, double value) {
+  if (logarithmic) return std::log(value / range.low) / std::log(range.high / range.low);
+  return (value - range.low) / (range.high - range.low);
+}
+
+std::vector<FigureTick> spaced_ticks(const FigureData& data, const FigureLayout& layout) {
+  std::vector<FigureTick> ticks = data.x_ticks;
+  const double axis = FigureLayout::width - layout.left - FigureLayout::right;
+  double free_from = -std::numeric_limits<double>::infinity();
+  for (FigureTick& tick : ticks) {
+    const double centre = axis * share(layout.x, data.log_x, tick.position);
+    const double half = 0.5 * small_character * static_cast<double>(display_width(tick.label));
+    if (centre - half < free_from) {
+      tick.label.clear();
+    } else {
+      free_from = centre + half + small_character;
+    }
+  }
+  return ticks;
+}
+
+std::string footnote(const FigureData& data) {
+  std::size_t omitted = 0;
+  for (const FigurePanel& panel : data.panels) {
+    for (const FigureLine& line : panel.lines) {
+      for (const FigurePoint& point : line.points) omitted += is_drawable(point, data.log_y) ? 0 : 1;
+    }
+  }
+  if (omitted == 0) return data.footnote;
+  return fmt::format("{}; {} {} not shown: infinite{}", data.footnote, omitted,
+                     omitted == 1 ? "point" : "points", data.log_y ? " or not positive" : "");
+}
+
+}  // namespace
+
+FigureLayout figure_layout(const FigureData& data) {
+  FigureLayout layout;
+  const double text_width = FigureLayout::width - 2.0 * FigureLayout::edge;
+  layout.title = wrapped(data.title, characters(text_width, title_character));
+  const std::size_t panels = data.panels.size();
+  const double label_room =
+      panels > 1 ? static_cast<double>(panels) * stacked_panel_height : single_panel_height;
+  // The label may reach beyond the panels by as much as the x axis below them takes.
+  layout.y_label = wrapped(data.y_label, characters(label_room + 10.0, small_character));
+  layout.left = 11.0 + FigureLayout::line_height * static_cast<double>(layout.y_label.size());
+  layout.footnote = wrapped(footnote(data), characters(text_width, footnote_character));
+
+  double y = FigureLayout::edge + FigureLayout::line_height / 2.0;
+  layout.title_y = y;
+  y += static_cast<double>(layout.title.size()) * FigureLayout::line_height;
+  if (!layout.title.empty()) y += 0.8;
+  layout.legend_title_y = y;
+  if (data.groups.size() > 1 && !data.group_title.empty()) y += FigureLayout::line_height;
+  y = place_legend(data.groups, false, y, layout);
+  y = place_legend(data.metrics, true, y, layout);
+  y = place_panels(data, y, layout);
+  layout.x_label_y = y + 6.6;
+  layout.footnote_y = layout.x_label_y + 4.6;
+  layout.height = layout.footnote_y + FigureLayout::edge +
+                  (static_cast<double>(layout.footnote.size()) - 0.5) * FigureLayout::footnote_line_height;
+
+  place_x(data, layout);
+  layout.y = y_range(data);
+  layout.ticks = spaced_ticks(data, layout);
+  return layout;
+}
+
+bool is_drawable(const FigurePoint& point, bool log_y) {
+  return std::isfinite(point.y) && (!log_y || point.y > 0.0);
+}
+
+double dodged(const FigureData& data, const FigureLayout& layout, const FigureLine& line, double x) {
+  const double index = static_cast<double>(line.metric + line.group * data.metrics.size());
+  const double offset = layout.dodge * (index - 0.5 * static_cast<double>(line_count(data) - 1));
+  return data.log_x ? x * std::pow(10.0, offset) : x + offset;
+}
+
+std::vector<std::string> wrapped(std::string_view text, std::size_t most) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string word(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (word.empty()) continue;
+    if (lines.empty() || display_width(lines.back()) + 1 + display_width(word) > most) {
+      lines.push_back(word);
+    } else {
+      lines.back() += " " + word;
+    }
+  }
+  return lines;
+}
+
+}  // namespace ridgeloc::results

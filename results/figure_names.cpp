@@ -1,0 +1,86 @@
+#include "results/figure_names.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "results/text.hpp"
+
+namespace ridgeloc::results {
+namespace {
+
+const std::string method_name = "method";
+
+/// Index of `name` among the valid names, or an error that lists the nearest ones first.
+std::size_t find_name(const FigureSpec& spec, std::string_view key, std::string_view name,
+                      const std::vector<std::string>& valid) {
+  const auto found = std::find(valid.begin(), valid.end(), name);
+  if (found != valid.end()) return static_cast<std::size_t>(found - valid.begin());
+  if (valid.empty())
+    throw core::InputError(
+        fmt::format("figure '{}': {} = \"{}\": this study has none", spec.name, key, name));
+  std::vector<std::string> nearest = valid;
+  std::stable_sort(nearest.begin(), nearest.end(), [&](const std::string& a, const std::string& b) {
+    return edit_distance(name, a) < edit_distance(name, b);
+  });
+  constexpr std::size_t listed = 6;
+  const bool all = nearest.size() <= listed;
+  if (!all) nearest.resize(listed);
+  throw core::InputError(fmt::format("figure '{}': {} = \"{}\" is unknown; {}: {}", spec.name, key, name,
+                                     all ? "valid names" : "nearest valid names", fmt::join(nearest, ", ")));
+}
+
+std::vector<std::string> axis_names(const Header& header) {
+  std::vector<std::string> names;
+  for (const Axis& axis : header.axes) names.push_back(axis.name);
+  return names;
+}
+
+std::size_t find_dimension(const Header& header, const FigureSpec& spec, std::string_view key,
+                           const std::string& name) {
+  std::vector<std::string> names = axis_names(header);
+  names.push_back(method_name);
+  const std::size_t index = find_name(spec, key, name, names);
+  return index == header.axes.size() ? FigureNames::method_dimension : index;
+}
+
+FigureNames::Quantity find_quantity(const Header& header, const FigureSpec& spec, const std::string& name) {
+  const Schema& schema = header.schema;
+  std::vector<std::string> names;
+  for (const MetricInfo& metric : schema.metrics) names.push_back(metric.name);
+  for (const EventInfo& event : schema.events) names.push_back(event.name);
+  const std::size_t index = find_name(spec, "y", name, names);
+  if (index >= schema.metrics.size()) {
+    const EventInfo& event = schema.events[index - schema.metrics.size()];
+    return {event.name, event.description, "1", true, false};
+  }
+  const MetricInfo& metric = schema.metrics[index];
+  const bool median = spec.statistic.empty() ? metric.heavy_tailed : spec.statistic == "median";
+  return {metric.name, metric.description, metric.unit, false, median};
+}
+
+}  // namespace
+
+FigureNames resolve_figure_names(const Header& header, const FigureSpec& spec) {
+  if (!spec.statistic.empty()) find_name(spec, "statistic", spec.statistic, {"mean", "median"});
+  if (spec.y.empty()) throw core::InputError(fmt::format("figure '{}': y names no metric", spec.name));
+  FigureNames names;
+  names.x = find_name(spec, "x", spec.x, axis_names(header));
+  for (const std::string& name : spec.y) names.y.push_back(find_quantity(header, spec, name));
+  for (const std::string& name : spec.group)
+    names.group.push_back(find_dimension(header, spec, "group", name));
+  if (!spec.facet.empty()) names.facet.push_back(find_dimension(header, spec, "facet", spec.facet));
+
+  std::vector<std::string> labels;
+  for (const MethodInfo& method : header.methods) labels.push_back(method.label);
+  for (const std::string& label : spec.methods)
+    names.methods.push_back(find_name(spec, "methods", label, labels));
+  if (spec.methods.empty()) {
+    for (std::size_t method = 0; method < labels.size(); ++method) names.methods.push_back(method);
+  }
+  return names;
+}
+
+}  // namespace ridgeloc::results

@@ -1,0 +1,258 @@
+#include "results/figure_script.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "results/figure_layout.hpp"
+#include "results/gnuplot.hpp"
+
+namespace ridgeloc::results {
+namespace {
+
+using Layout = FigureLayout;
+
+/// Okabe and Ito's palette for all kinds of colour vision, without its yellow, which is too light for lines;
+/// ordered so that neighbours differ in lightness too.
+constexpr std::array colours = {"#0072b2", "#d55e00", "#000000", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"};
+
+/// gnuplot's filled point types; the open one of the same shape is the number before.
+constexpr std::array filled_marks = {7, 5, 9, 13, 11, 15};
+
+constexpr std::array dashes = {"1", "(12,5)", "(3,4)", "(12,4,3,4)", "(22,5)", "(6,3)"};
+
+struct Style {
+  const char* colour = "#444444";
+  int filled_mark = filled_marks.front();
+  bool open = false;
+  const char* dash = dashes.front();
+};
+
+/// Open or filled marks and the dash tell the metrics apart.
+Style with_metric(Style style, std::size_t metric) {
+  style.open = metric % 2 == 1;
+  style.dash = dashes[metric % dashes.size()];
+  return style;
+}
+
+Style line_style(const FigureData& data, std::size_t group, std::size_t metric) {
+  const Style style = {colours[group % colours.size()], filled_marks[group % filled_marks.size()], false,
+                       dashes[group % dashes.size()]};
+  return data.metrics.size() > 1 ? with_metric(style, metric) : style;
+}
+
+/// Adds an element to the list of a gnuplot command.
+void append(std::string& list, std::string_view separator, std::string_view element) {
+  if (!list.empty()) list += separator;
+  list += element;
+}
+
+constexpr std::string_view next_element = ", \\\n  ";
+
+std::string plot(const std::string& elements) {
+  return fmt::format("plot \\\n  {}\n", elements.empty() ? "NaN" : elements);
+}
+
+/// A line, given with its plotting style, and its marks. Under an open mark the line is covered.
+std::string marked_line(const std::string& line, const std::string& places, const Style& style) {
+  std::string elements = fmt::format("{} lw 1.2 lc rgb '{}' dt {}", line, style.colour, style.dash);
+  const auto marks = [&](int mark, double size, const char* colour) {
+    append(elements, next_element,
+           fmt::format("{} using 1:2 with points pt {} ps {} lw 1 lc rgb '{}'", places, mark, size, colour));
+  };
+  if (style.open) marks(style.filled_mark, 0.4, "white");
+  marks(style.filled_mark - (style.open ? 1 : 0), 0.5, style.colour);
+  return elements;
+}
+
+std::string text(const Layout& layout, double x_mm, double y_mm, std::string_view value,
+                 std::string_view options) {
+  return fmt::format("set label {} at screen {:.5f},{:.5f} {} front\n", gnuplot_string(value),
+                     x_mm / Layout::width, 1.0 - y_mm / layout.height, options);
+}
+
+std::string terminal(FigureFormat format, const Layout& layout) {
+  constexpr double css_pixels_per_mm = 96.0 / 25.4;
+  constexpr double print_pixels_per_mm = 300.0 / 25.4;
+  const auto pixels = [](double mm, double per_mm) { return std::lround(mm * per_mm); };
+  switch (format) {  // the scales make fonts, lines and marks of the same size in all three
+    case FigureFormat::Svg:
+      return fmt::format("svg size {},{} font 'sans-serif,8' fontscale 1.333 background 'white'",
+                         pixels(Layout::width, css_pixels_per_mm), pixels(layout.height, css_pixels_per_mm));
+    case FigureFormat::Pdf:
+      return fmt::format(
+          "pdfcairo size {:.3f}cm,{:.3f}cm font 'Sans,8' fontscale 0.75 linewidth 1.5 pointscale 0.8",
+          Layout::width / 10.0, layout.height / 10.0);
+    case FigureFormat::Png:
+      return fmt::format("pngcairo size {},{} font 'Sans,8' fontscale 3.125 linewidth 3.125 pointscale 3.125",
+                         pixels(Layout::width, print_pixels_per_mm),
+                         pixels(layout.height, print_pixels_per_mm));
+  }
+  return {};
+}
+
+std::string margins(const Layout& layout, double left, double right, double top, double bottom) {
+  return fmt::format(
+      "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
+      "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
+      left / Layout::width, right / Layout::width, 1.0 - top / layout.height, 1.0 - bottom / layout.height);
+}
+
+std::string ranges(const FigureRange& x, const FigureRange& y) {
+  return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", x.low, x.high, y.low, y.high);
+}
+
+/// All that is written on the page outside of the panels' axes.
+std::string lettering(const FigureData& data, const Layout& layout) {
+  std::string script;
+  const auto lines = [&](const std::vector<std::string>& texts, double x, double y, double height,
+                         const char* options) {
+    for (const std::string& line : texts) {
+      script += text(layout, x, y, line, options);
+      y += height;
+    }
+  };
+  lines(layout.title, Layout::width / 2.0, layout.title_y, Layout::line_height, "center font ',8.5'");
+  lines(layout.footnote, Layout::edge, layout.footnote_y, Layout::footnote_line_height,
+        "left font ',5.5' tc rgb '#444444'");
+  script += text(layout, (layout.left + Layout::width - Layout::right) / 2.0, layout.x_label_y, data.x_label,
+                 "center font ',7'");
+  // One label for all panels: they share the quantity and its range.
+  double x = Layout::edge + Layout::line_height / 2.0;
+  for (const std::string& line : layout.y_label) {
+    script += text(layout, x, (layout.panels.front().top + layout.panels.back().bottom) / 2.0, line,
+                   "center rotate by 90 font ',7'");
+    x += Layout::line_height;
+  }
+  for (std::size_t i = 0; i < layout.panels.size(); ++i) {
+    if (data.panels[i].label.empty()) continue;
+    const std::string letter(1, static_cast<char>('a' + i % 26));
+    script += text(layout, layout.left, layout.panels[i].label_y,
+                   fmt::format("({}) {}", letter, data.panels[i].label), "left font ',7.5'");
+  }
+  if (data.groups.size() > 1) {
+    script += text(layout, Layout::width / 2.0, layout.legend_title_y, data.group_title, "center font ',7'");
+  }
+  for (const LegendEntry& entry : layout.legend) {
+    script += text(layout, entry.x + Layout::sample_length + Layout::sample_gap, entry.y,
+                   entry.is_metric ? data.metrics[entry.index] : data.groups[entry.index], "left font ',7'");
+  }
+  return script;
+}
+
+/// Plots the legend's samples over the whole page, in coordinates of millimetres; the lettering comes with
+/// it.
+std::string draw_page(const FigureData& data, const Layout& layout) {
+  std::string script = lettering(data, layout) + margins(layout, 0.0, Layout::width, 0.0, layout.height) +
+                       "unset border\nunset tics\n" + ranges({0.0, Layout::width}, {layout.height, 0.0});
+  std::string elements;
+  for (std::size_t i = 0; i < layout.legend.size(); ++i) {
+    const LegendEntry& entry = layout.legend[i];
+    const std::string name = fmt::format("$sample{}", i);
+    script += fmt::format("{0} << EOD\n{1} {3} {4}\n\n\n{2} {3}\nEOD\n", name, entry.x,
+                          entry.x + Layout::sample_length / 2.0, entry.y, Layout::sample_length);
+    const Style style =
+        entry.is_metric ? with_metric(Style{}, entry.index) : line_style(data, entry.index, 0);
+    append(elements, next_element,
+           marked_line(name + " index 0 using 1:2:3:(0) with vectors nohead", name + " index 1", style));
+  }
+  return script + plot(elements) + "unset label\n";
+}
+
+/// Ticks of a logarithmic axis: labelled at 1, 2 and 5 times the powers of ten where the axis is short, else
+/// at the powers alone.
+std::string log_y_ticks(const FigureRange& range) {
+  const bool is_short = range.high < 300.0 * range.low;
+  std::string list;
+  for (int power = static_cast<int>(std::floor(std::log10(range.low))); std::pow(10.0, power) <= range.high;
+       ++power) {
+    for (int digit = 1; digit < 10; ++digit) {
+      const double value = std::stod(fmt::format("{}e{}", digit, power));
+      const bool major = digit == 1 || (is_short && (digit == 2 || digit == 5));
+      append(list, ", ",
+             fmt::format("'{}' {} {}", major ? fmt::format("{:g}", value) : "", value, major ? 0 : 1));
+    }
+  }
+  return fmt::format("set ytics nomirror ({})\n", list);
+}
+
+std::string x_ticks(const Layout& layout, bool labelled) {
+  std::string list;
+  for (const FigureTick& tick : layout.ticks) {
+    append(list, ", ",
+           fmt::format("{} {} {}", gnuplot_tick_label(labelled ? tick.label : ""), tick.position,
+                       tick.label.empty() ? 1 : 0));
+  }
+  return fmt::format("set xtics nomirror offset 0,0.4 ({})\n", list);
+}
+
+std::string panel_axes(const FigureData& data, const Layout& layout) {
+  std::string script =
+      "set border 3 lw 0.7\n"
+      "set tics nomirror out scale 0.5,0.3 font ',7'\n"
+      "set xtics nomirror\nset ytics nomirror\n"
+      "set grid xtics ytics back lt 1 lc rgb '#dcdcdc' lw 0.5\n"
+      "set format y '%g'\n";
+  script += ranges(layout.x, layout.y);
+  if (data.log_x) script += "set logscale x\n";
+  if (data.log_y) script += "set logscale y\n" + log_y_ticks(layout.y);
+  return script;
+}
+
+/// A data block of the line's points: x, y, lower and upper end of the bar, whether it is trusted.
+std::string data_block(const std::string& name, const FigureData& data, const Layout& layout,
+                       const FigureLine& line) {
+  std::string block = name + " << EOD\n";
+  for (const FigurePoint& point : line.points) {
+    if (!is_drawable(point, data.log_y)) continue;
+    block += fmt::format("{} {} {} {} {}\n", dodged(data, layout, line, point.x), point.y,
+                         std::max(point.lo, layout.y.low), std::min(point.hi, layout.y.high),
+                         point.trusted ? 1 : 0);
+  }
+  return block + "EOD\n";
+}
+
+/// The error bars of a line; a dotted one is not trusted.
+std::string bars(const std::string& name, const Style& style) {
+  // A bar is a vector from its lower to its upper end, with heads of 90 degrees for caps: gnuplot's own error
+  // bars leave a gap around the mark.
+  return fmt::format(
+      "{0} using 1:($5 == 1 ? $3 : NaN):(0):($4 - $3) with vectors heads size screen 0.008,90 lw 0.9 lc rgb "
+      "'{1}'{2}"
+      "{0} using 1:($5 == 0 ? $3 : NaN):(0):($4 - $3) with vectors nohead lw 1.2 lc rgb '{1}' dt (2,3)",
+      name, style.colour, next_element);
+}
+
+std::string draw_panel(const FigureData& data, const Layout& layout, std::size_t index) {
+  const PanelLayout& place = layout.panels[index];
+  std::string script = margins(layout, layout.left, Layout::width - Layout::right, place.top, place.bottom);
+  script += x_ticks(layout, index + 1 == layout.panels.size());
+  std::string elements;
+  for (const FigureLine& line : data.panels[index].lines) {
+    const bool any = std::any_of(line.points.begin(), line.points.end(),
+                                 [&](const FigurePoint& point) { return is_drawable(point, data.log_y); });
+    if (!any) continue;
+    const std::string name = fmt::format("$panel{}_group{}_metric{}", index, line.group, line.metric);
+    const Style style = line_style(data, line.group, line.metric);
+    script += data_block(name, data, layout, line);
+    append(elements, next_element, bars(name, style));
+    append(elements, next_element, marked_line(name + " using 1:2 with lines", name, style));
+  }
+  return script + plot(elements);
+}
+
+}  // namespace
+
+std::string figure_script(const FigureData& data, FigureFormat format, const std::filesystem::path& output) {
+  const Layout layout = figure_layout(data);
+  std::string script = fmt::format("set encoding utf8\nset terminal {} noenhanced\nset output {}\n",
+                                   terminal(format, layout), gnuplot_string(output.string()));
+  script += "unset key\nset multiplot\n" + draw_page(data, layout) + panel_axes(data, layout);
+  for (std::size_t i = 0; i < data.panels.size(); ++i) script += draw_panel(data, layout, i);
+  return script + "unset multiplot\nunset output\n";
+}
+
+}  // namespace ridgeloc::results

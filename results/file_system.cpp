@@ -1,0 +1,108 @@
+#include "results/file_system.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace ridgeloc::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* temporary_suffix = ".tmp";
+
+std::string reason(int error) {
+  return std::generic_category().message(error);
+}
+
+fs::path folder_of(const fs::path& file) {
+  const fs::path parent = file.parent_path();
+  return parent.empty() ? fs::path(".") : parent;
+}
+
+/// Flushes a file or a folder to the disk.
+void synchronize(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw core::IoError(fmt::format("cannot open {}: {}", path.string(), reason(errno)));
+  const int returned = ::fsync(descriptor);
+  const int error = errno;
+  ::close(descriptor);
+  // Some network file systems cannot synchronize a folder and say so by EINVAL; the rename itself has
+  // succeeded.
+  if (returned != 0 && error != EINVAL)
+    throw core::IoError(fmt::format("cannot flush {} to the disk: {}", path.string(), reason(error)));
+}
+
+}  // namespace
+
+void require_writable(const fs::path& file) {
+  const fs::path folder = folder_of(file);
+  std::error_code error;
+  if (file.filename().empty() || fs::is_directory(file, error))
+    throw core::InputError(
+        fmt::format("cannot write {}: it is a folder; add a file name to -o", file.string()));
+  if (!fs::exists(folder, error))
+    throw core::InputError(
+        fmt::format("cannot write {}: the folder {} does not exist; create it or choose another -o",
+                    file.string(), folder.string()));
+  if (!fs::is_directory(folder, error))
+    throw core::InputError(fmt::format("cannot write {}: {} is not a folder; choose another -o",
+                                       file.string(), folder.string()));
+
+  // Only an attempt tells the truth about permissions, read-only mounts and quotas.
+  std::string probe = (folder / fmt::format(".{}.XXXXXX", file.filename().string())).string();
+  const int descriptor = ::mkstemp(probe.data());
+  if (descriptor < 0)
+    throw core::InputError(
+        fmt::format("cannot write {}: {}; make the folder {} writable or choose another -o", file.string(),
+                    reason(errno), folder.string()));
+  ::close(descriptor);
+  ::unlink(probe.c_str());
+}
+
+TemporaryFile::TemporaryFile(fs::path final_path)
+    : final_(std::move(final_path)), temporary_(final_.string() + temporary_suffix) {}
+
+TemporaryFile::~TemporaryFile() {
+  if (published_) return;
+  std::error_code ignored;
+  fs::remove(temporary_, ignored);
+}
+
+void TemporaryFile::publish() {
+  synchronize(temporary_);
+  std::error_code error;
+  fs::rename(temporary_, final_, error);
+  if (error)
+    throw core::IoError(
+        fmt::format("cannot rename {} to {}: {}", temporary_.string(), final_.string(), error.message()));
+  published_ = true;
+  synchronize(folder_of(final_));
+}
+
+bool TemporaryFile::is_temporary(const fs::path& file) {
+  return file.extension() == temporary_suffix;
+}
+
+FolderLock::FolderLock(const fs::path& folder) : descriptor_(::open(folder.c_str(), O_RDONLY | O_CLOEXEC)) {
+  if (descriptor_ < 0)
+    throw core::IoError(fmt::format("cannot open the folder {}: {}", folder.string(), reason(errno)));
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(descriptor_);
+    throw core::InputError(fmt::format(
+        "another run is writing to {}; wait for it, stop it, or choose another -o", folder.string()));
+  }
+}
+
+FolderLock::~FolderLock() {
+  ::close(descriptor_);
+}
+
+}  // namespace ridgeloc::results

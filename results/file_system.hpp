@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+
+namespace ridgeloc::results {
+
+/// Checks that a file of this name can be written, and leaves nothing behind.
+/// Throws core::InputError that says why not and what to do.
+void require_writable(const std::filesystem::path& file);
+
+/// A file that appears under its name complete or not at all. Write to `path()`, close and check it, then
+/// `publish()`. Until then the destructor removes it.
+class TemporaryFile {
+ public:
+  /// The temporary stands beside `final_path`, so that the rename stays within one file system.
+  explicit TemporaryFile(std::filesystem::path final_path);
+  ~TemporaryFile();
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const std::filesystem::path& path() const { return temporary_; }
+
+  /// Makes the content durable, gives it its name (replacing an older file) and makes the name durable.
+  /// Throws core::IoError.
+  void publish();
+
+  /// Whether a file in a folder is such a temporary, left by a killed program.
+  static bool is_temporary(const std::filesystem::path& file);
+
+ private:
+  std::filesystem::path final_;
+  std::filesystem::path temporary_;
+  bool published_ = false;
+};
+
+/// An advisory lock on a folder, held while the object lives and dropped by the system when the process dies.
+class FolderLock {
+ public:
+  /// Throws core::InputError if another process holds it. File systems without locks are let pass: there,
+  /// that only one run writes to a result is the user's care.
+  explicit FolderLock(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int descriptor_ = -1;
+};
+
+}  // namespace ridgeloc::results

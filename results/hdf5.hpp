@@ -1,0 +1,144 @@
+#pragma once
+// Internal to results: the part of HDF5 that result and part files need, with owned handles and one-line
+// errors.
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ridgeloc::results::hdf5 {
+
+using Shape = std::vector<std::uint64_t>;
+
+/// Element types of datasets, little-endian in the file.
+enum class Type { F64, I64, U64, U32, U8, Text };
+
+template <typename T>
+constexpr Type type_of() = delete;
+template <>
+constexpr Type type_of<double>() {
+  return Type::F64;
+}
+template <>
+constexpr Type type_of<std::int64_t>() {
+  return Type::I64;
+}
+template <>
+constexpr Type type_of<std::uint64_t>() {
+  return Type::U64;
+}
+template <>
+constexpr Type type_of<std::uint32_t>() {
+  return Type::U32;
+}
+template <>
+constexpr Type type_of<std::uint8_t>() {
+  return Type::U8;
+}
+
+/// `Compressed`: chunks with shuffle and gzip level 1, for counts; noise in doubles does not compress.
+enum class Layout { Contiguous, Compressed };
+
+/// An HDF5 file. Objects are named by their full path, such as "/ledger/mean". Every failure throws
+/// core::IoError that names the file and the object. The creation order of links and attributes is kept and
+/// no times are stored.
+///
+/// One thread at a time per object; different files may be used from different threads (the library is
+/// thread-safe).
+class File {
+ public:
+  /// A new file, in place of any older one.
+  static File create(const std::filesystem::path& path);
+  static File open(const std::filesystem::path& path);
+
+  File(File&& other) noexcept;
+  File& operator=(File&&) = delete;
+  ~File();
+  /// Writes everything out. A created file is only good if this returns.
+  void close();
+
+  const std::filesystem::path& path() const { return path_; }
+
+  void create_group(const std::string& path);
+  bool contains(const std::string& path) const;
+
+  /// Writes a dataset; without a shape it has one dimension. Precondition: the product of `shape` is
+  /// values.size().
+  template <typename T>
+  void write(const std::string& path, const std::vector<T>& values, Shape shape = {},
+             Layout layout = Layout::Contiguous) {
+    if (shape.empty()) shape = {values.size()};
+    write_values(path, type_of<T>(), values.data(), shape, layout);
+  }
+  void write(const std::string& path, const std::vector<std::string>& values);
+
+  /// Size per dimension, refused when the file is too small to hold that many values.
+  Shape shape(const std::string& path) const;
+  Type type(const std::string& path) const;
+
+  /// All values of a dataset, the last dimension running fastest.
+  template <typename T>
+  std::vector<T> read(const std::string& path) const {
+    std::vector<T> values(elements(path));
+    read_values(path, type_of<T>(), values.data(), 0, values.size());
+    return values;
+  }
+  /// `count` values of a dataset of one dimension, from index `first` on.
+  template <typename T>
+  std::vector<T> read(const std::string& path, std::uint64_t first, std::uint64_t count) const {
+    require_range(path, first, count);
+    std::vector<T> values(count);
+    read_values(path, type_of<T>(), values.data(), first, count);
+    return values;
+  }
+  std::vector<std::string> read_text(const std::string& path) const;
+
+  void write_attribute(const std::string& object, const std::string& name, const std::string& value);
+  void write_attribute(const std::string& object, const std::string& name,
+                       const std::vector<std::string>& value);
+  void write_attribute(const std::string& object, const std::string& name, std::uint64_t value);
+  void write_attribute(const std::string& object, const std::string& name,
+                       const std::vector<std::uint64_t>& value);
+  void write_attribute(const std::string& object, const std::string& name, double value);
+  bool has_attribute(const std::string& object, const std::string& name) const;
+  std::string text_attribute(const std::string& object, const std::string& name) const;
+  std::vector<std::string> texts_attribute(const std::string& object, const std::string& name) const;
+  std::uint64_t number_attribute(const std::string& object, const std::string& name) const;
+  std::vector<std::uint64_t> numbers_attribute(const std::string& object, const std::string& name) const;
+
+  /// Makes a dataset a dimension scale (an axis with values) and attaches it to a dimension of another
+  /// dataset.
+  void make_scale(const std::string& scale, const std::string& name);
+  void attach_scale(const std::string& dataset, std::uint32_t dimension, const std::string& scale);
+
+  /// SHA-256 over all datasets but those under /provenance, as docs/file-format.md defines it: of the values
+  /// handed to `write`, and of the values in the file. That both agree is what "verified" means.
+  std::string written_digest() const;
+  std::string content_digest() const;
+
+ private:
+  File(std::filesystem::path path, std::int64_t id) : path_(std::move(path)), id_(id) {}
+
+  std::uint64_t elements(const std::string& path) const;
+  void require_range(const std::string& path, std::uint64_t first, std::uint64_t count) const;
+  void write_values(const std::string& path, Type type, const void* values, const Shape& shape,
+                    Layout layout);
+  void read_values(const std::string& path, Type type, void* values, std::uint64_t first,
+                   std::uint64_t count) const;
+  void record(const std::string& path, Type type, const Shape& shape, const std::string& digest);
+
+  std::filesystem::path path_;
+  std::int64_t id_ = -1;
+  std::map<std::string, std::string>
+      manifest_;  ///< of the datasets written: path -> line of the digest's text
+};
+
+/// Version of the HDF5 library in use, as "1.10.8".
+std::string library_version();
+
+/// Whether a file starts like an HDF5 file; false for a missing one.
+bool is_hdf5(const std::filesystem::path& path);
+
+}  // namespace ridgeloc::results::hdf5

@@ -1,0 +1,52 @@
+#pragma once
+// Internal to the HDF5 layer: the only header that includes <hdf5.h>.
+
+#include <hdf5.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace ridgeloc::results::hdf5 {
+
+/// Throws core::IoError "cannot <action> <object> in <file>: <HDF5's innermost reason>".
+[[noreturn]] void fail(std::string_view action, const std::filesystem::path& file, std::string_view object);
+
+/// Owns an HDF5 identifier.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+
+  /// Throws as `fail` does if the call that made the identifier failed.
+  Handle(hid_t id, Close closer, std::string_view action, const std::filesystem::path& file,
+         std::string_view object)
+      : id_(id), close_(closer) {
+    if (id_ < 0) fail(action, file, object);
+  }
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  Handle& operator=(Handle&&) = delete;
+
+  /// Closes now: values may reach the disk only here. Throws as `fail` does.
+  void close(std::string_view action, const std::filesystem::path& file, std::string_view object) {
+    if (close_(std::exchange(id_, H5I_INVALID_HID)) < 0) fail(action, file, object);
+  }
+
+  operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor): stands in for the identifier
+
+ private:
+  hid_t id_;
+  Close close_;
+};
+
+/// Memory type of variable-length UTF-8 strings.
+Handle text_type(const std::filesystem::path& file);
+
+/// SHA-256 over strings, each as its length (64 bits) and its bytes.
+std::string digest_of(const std::vector<std::string>& values);
+
+}  // namespace ridgeloc::results::hdf5

@@ -1,0 +1,74 @@
+#include "results/interval.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace ridgeloc::results {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double z = normal_quantile_975;
+
+}  // namespace
+
+double student_quantile_975(std::uint64_t degrees_of_freedom) {
+  constexpr double confidence = 0.95;
+  if (degrees_of_freedom == 0) return nan;
+  if (degrees_of_freedom == 1) return std::tan(std::numbers::pi / 2.0 * confidence);
+  if (degrees_of_freedom == 2) return confidence * std::sqrt(2.0 / (1.0 - confidence * confidence));
+  constexpr double z2 = z * z;
+  constexpr double g1 = z * (z2 + 1.0) / 4.0;
+  constexpr double g2 = z * ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;
+  constexpr double g3 = z * (((3.0 * z2 + 19.0) * z2 + 17.0) * z2 - 15.0) / 384.0;
+  constexpr double g4 = z * ((((79.0 * z2 + 776.0) * z2 + 1482.0) * z2 - 1920.0) * z2 - 945.0) / 92160.0;
+  const double w = 1.0 / static_cast<double>(degrees_of_freedom);
+  return z + w * (g1 + w * (g2 + w * (g3 + w * g4)));
+}
+
+double standard_deviation(const Moments& moments) {
+  if (moments.n < 2) return nan;
+  return std::sqrt(moments.m2 / static_cast<double>(moments.n - 1));
+}
+
+double mean_standard_error(const Moments& moments) {
+  return standard_deviation(moments) / std::sqrt(static_cast<double>(moments.n));
+}
+
+double standard_deviation_error(const Moments& moments) {
+  return standard_deviation(moments) * std::sqrt(variance_of_variance(moments) / 4.0);
+}
+
+double variance_of_variance(const Moments& moments) {
+  if (moments.m2 == 0.0) return 0.0;
+  const double difference = moments.m4 / (moments.m2 * moments.m2) - 1.0 / static_cast<double>(moments.n);
+  return std::max(difference, 0.0);  // zero in theory for two equal halves; rounding may put it below
+}
+
+Interval mean_interval(const Moments& moments) {
+  if (moments.n < 2) return {nan, nan};
+  const double half = student_quantile_975(moments.n - 1) * mean_standard_error(moments);
+  return {moments.mean - half, moments.mean + half};
+}
+
+Interval wilson_interval(std::uint64_t successes, std::uint64_t trials) {
+  if (trials == 0) return {nan, nan};
+  const double n = static_cast<double>(trials);
+  const double k = static_cast<double>(successes);
+  const double centre = (k + z * z / 2.0) / (n + z * z);
+  const double half = z / (n + z * z) * std::sqrt(k * (n - k) / n + z * z / 4.0);
+  // The two ends are exact in theory and would differ by rounding.
+  return {successes == 0 ? 0.0 : centre - half, successes == trials ? 1.0 : centre + half};
+}
+
+Interval quantile_interval(const Histogram& histogram, double q) {
+  const double n = static_cast<double>(histogram.total());
+  const double half = z * std::sqrt(n * q * (1.0 - q));
+  const double low_rank = std::max(std::floor(n * q - half), 1.0);
+  const double high_rank = std::min(std::ceil(n * q + half) + 1.0, n);
+  // The order statistic of rank r holds the share ((r - 1) / n, r / n] of the sample: its outer end is taken.
+  return {histogram.quantile((low_rank - 1.0) / n), histogram.quantile(high_rank / n)};
+}
+
+}  // namespace ridgeloc::results

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ridgeloc::results {
+
+/// Where, when and by what a result was computed. Nothing in here takes part in the digest of a result.
+struct Provenance {
+  // What the program knows about its own build.
+  std::string program_version;
+  std::string git_commit;
+  bool git_dirty = false;  ///< whether the working tree had changes that no commit holds
+  std::string compiler;
+  std::string flags;
+  std::vector<std::pair<std::string, std::string>> libraries;  ///< name and version
+  // What the runner knows about the run.
+  unsigned threads = 0;
+  std::vector<std::pair<std::string, double>> wall_time_s;  ///< phase and its seconds
+  // What the machine says: see `complete`.
+  std::string processor;
+  std::string date;  ///< when the result was sealed, UTC, ISO 8601
+};
+
+/// Adds the processor's model, the date and the version of HDF5.
+void complete(Provenance& provenance);
+
+/// Model of the first processor by /proc/cpuinfo; "unknown" where there is none.
+std::string processor_model();
+
+}  // namespace ridgeloc::results

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/ledger.hpp"
+#include "results/summary.hpp"
+
+namespace ridgeloc::results {
+
+// Readers of a sealed result. Each throws core::InputError, one line, if the file is missing, is not HDF5, is
+// no result, has a newer major version, or is truncated or damaged.
+
+/// What the result is, and the totals of each cell and method.
+Summary read_result(const std::filesystem::path& path);
+
+/// What the result is, without its numbers.
+Header read_result_header(const std::filesystem::path& path);
+
+/// The rows behind the totals, with a digest per block.
+Ledger read_result_ledger(const std::filesystem::path& path);
+
+/// The trials of one method in one cell whose values are kept.
+struct TrialTable {
+  std::vector<std::uint64_t> trial;          ///< number within the cell, ascending
+  std::vector<std::uint8_t> status;          ///< per trial; empty: the method reports none
+  std::vector<std::vector<double>> metrics;  ///< per `Schema::metrics`; empty: not given by this method
+};
+
+/// Without kept trials the table is empty.
+TrialTable read_trials(const std::filesystem::path& path, std::size_t cell, std::size_t method);
+
+/// SHA-256 over the names, types, shapes and values of all datasets except those under /provenance, in name
+/// order: two results with equal digests hold the same numbers. Computed from the values; docs/file-format.md
+/// defines it.
+std::string data_digest(const std::filesystem::path& path);
+
+/// The digest that was stored when the result was sealed; differs from `data_digest` if the file was damaged
+/// since.
+std::string sealed_digest(const std::filesystem::path& path);
+
+/// Totals of every cell and method of a study.
+Summary summarize(const Header& header, const Ledger& ledger);
+
+}  // namespace ridgeloc::results

@@ -1,0 +1,126 @@
+#include "results/result_seal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include "core/error.hpp"
+#include "results/file_system.hpp"
+#include "results/hdf5.hpp"
+#include "results/header_file.hpp"
+#include "results/ledger_file.hpp"
+#include "results/result_file.hpp"
+#include "results/result_layout.hpp"
+#include "results/summary_group.hpp"
+
+namespace ridgeloc::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_provenance(hdf5::File& file, const Header& header, const Provenance& provenance) {
+  const std::string group = "/provenance";
+  file.create_group(group);
+  file.write_attribute(group, "study", header.study_toml);
+  file.write_attribute(group, "program_version", provenance.program_version);
+  file.write_attribute(group, "git_commit", provenance.git_commit);
+  file.write_attribute(group, "git_dirty", std::uint64_t{provenance.git_dirty});
+  file.write_attribute(group, "compiler", provenance.compiler);
+  file.write_attribute(group, "flags", provenance.flags);
+  file.write_attribute(group, "processor", provenance.processor);
+  file.write_attribute(group, "threads", std::uint64_t{provenance.threads});
+  file.write_attribute(group, "date", provenance.date);
+  file.create_group(group + "/libraries");
+  for (const auto& [name, version] : provenance.libraries)
+    file.write_attribute(group + "/libraries", name, version);
+  file.create_group(group + "/wall_time_s");
+  for (const auto& [phase, seconds] : provenance.wall_time_s)
+    file.write_attribute(group + "/wall_time_s", phase, seconds);
+}
+
+using Columns = std::vector<const TrialColumns*>;
+
+/// Joins a column of all blocks; a block that lacks it while another has it is filled with `missing`.
+template <typename T, typename ColumnOf>
+void write_joined(hdf5::File& file, const std::string& path, const Columns& blocks, T missing,
+                  ColumnOf&& column_of, hdf5::Layout layout) {
+  if (std::ranges::all_of(blocks, [&](const TrialColumns* block) { return column_of(*block).empty(); }))
+    return;
+  std::vector<T> joined;
+  for (const TrialColumns* block : blocks) {
+    const std::vector<T>& column = column_of(*block);
+    joined.insert(joined.end(), column.begin(), column.end());
+    if (column.empty()) joined.insert(joined.end(), block->trials, missing);
+  }
+  file.write(path, joined, {joined.size()}, layout);
+}
+
+void write_method_trials(hdf5::File& file, const Header& header, const Columns& blocks) {
+  const TrialColumns& first = *blocks.front();
+  const std::string group = layout::trials_group(first.cell, header.methods[first.method].label);
+  file.create_group(group);
+  std::vector<std::uint64_t> numbers, counts;
+  for (const TrialColumns* block : blocks) {
+    numbers.push_back(block->block);
+    counts.push_back(block->trials);
+  }
+  file.write(group + "/block", numbers);
+  file.write(group + "/block_trials", counts);
+  write_joined(
+      file, group + "/status", blocks, std::uint8_t{0},
+      [](const TrialColumns& c) -> auto& { return c.status; }, hdf5::Layout::Compressed);
+  for (std::size_t m = 0; m < header.schema.metrics.size(); ++m)
+    write_joined(
+        file, fmt::format("{}/{}", group, header.schema.metrics[m].name), blocks,
+        std::numeric_limits<double>::quiet_NaN(),
+        [m](const TrialColumns& c) -> auto& { return c.metrics[m]; }, hdf5::Layout::Contiguous);
+}
+
+void write_cell_trials(hdf5::File& file, const Header& header, const std::vector<TrialColumns>& cell) {
+  if (cell.empty()) return;
+  Columns sorted;
+  for (const TrialColumns& columns : cell) sorted.push_back(&columns);
+  const auto key = [](const TrialColumns* c) { return std::tuple(c->method, c->block); };
+  std::ranges::sort(sorted, {}, key);
+  // The same block twice has equal columns: the ledger has compared their digests.
+  const auto repeated = std::ranges::unique(sorted, {}, key);
+  sorted.erase(repeated.begin(), repeated.end());
+
+  file.create_group(layout::trials_group(cell.front().cell));
+  for (auto begin = sorted.begin(); begin != sorted.end();) {
+    const auto end =
+        std::find_if(begin, sorted.end(), [&](const auto* c) { return c->method != (*begin)->method; });
+    write_method_trials(file, header, Columns(begin, end));
+    begin = end;
+  }
+}
+
+}  // namespace
+
+void write_result(const fs::path& path, const Header& header, const Ledger& ledger,
+                  const ColumnSource& columns, const Provenance& provenance) {
+  TemporaryFile temporary(path);
+  hdf5::File file = hdf5::File::create(temporary.path());
+  file.write_attribute("/", "filetype", std::string(layout::filetype));
+  file.write_attribute("/", "version",
+                       std::vector<std::uint64_t>{layout::major_version, layout::minor_version});
+  write_header(file, header);
+  write_summary(file, summarize(header, ledger));
+  write_ledger(file, ledger, header.schema);
+  file.create_group("/trials");
+  for (std::size_t cell = 0; cell < header.cells.size(); ++cell)
+    write_cell_trials(file, header, columns(cell));
+  write_provenance(file, header, provenance);
+  const std::string digest = file.written_digest();
+  file.write_attribute("/", layout::digest_attribute, digest);
+  file.close();
+  if (hdf5::File::open(temporary.path()).content_digest() != digest)
+    throw core::IoError(
+        fmt::format("{} reads back with other values than were written; check the disk and run again",
+                    temporary.path().string()));
+  temporary.publish();
+}
+
+}  // namespace ridgeloc::results

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace ridgeloc::results {
+
+/// A value of a swept factor as it stands in files, tables and figures.
+using FactorValue = std::variant<std::int64_t, double, std::string>;
+
+/// One axis of the sweep grid.
+struct Axis {
+  std::string name;
+  std::string unit;         ///< "1" where there is none
+  std::string description;  ///< long name for tables and figure axes
+  std::vector<FactorValue> values;
+};
+
+/// One point of the sweep grid.
+struct CellInfo {
+  std::string hash;                 ///< identity: hash of its factor values
+  std::vector<std::size_t> indices; ///< per axis, the index into `Axis::values`
+};
+
+/// One solver with its settings.
+struct MethodInfo {
+  std::string label;
+  std::string hash;         ///< identity: hash of its settings
+  std::string description;  ///< the settings as text
+};
+
+/// A real-valued quantity measured per trial and method.
+///
+/// A NaN value means that the trial is not in the metric's population (an error over converged trials, say);
+/// an infinite value means that it is, and failed.
+struct MetricInfo {
+  std::string name;
+  std::string unit;
+  std::string description;
+  bool heavy_tailed = false;  ///< tables and figures lead with the median, not the mean
+};
+
+/// A yes-or-no outcome per trial and method; its rate is reported.
+struct EventInfo {
+  std::string name;
+  std::string description;
+};
+
+/// What an experiment measures. The first events are the statuses, in the order of their codes.
+struct Schema {
+  std::vector<MetricInfo> metrics;
+  std::vector<EventInfo> events;
+  std::size_t statuses = 0;  ///< how many of the events are statuses
+};
+
+/// A figure asked for in the study file.
+struct FigureSpec {
+  std::string name;  ///< file name without extension
+  std::string title;
+  std::string x;                        ///< a sweep axis
+  std::vector<std::string> y;           ///< metrics or events
+  std::string statistic;                ///< "mean" or "median"; empty: the metric's leading one
+  std::vector<std::string> group;       ///< axes or "method": one line per combination
+  std::string facet;                    ///< axis or "method": one panel per value; empty: one panel
+  std::vector<std::string> methods;     ///< restricts to these labels; empty: all that have the metric
+  bool log_y = false;
+};
+
+/// Everything that says what a result is, apart from its numbers.
+struct Header {
+  std::string title;
+  std::string experiment;
+  int experiment_version = 0;
+  std::string study_hash;
+  std::string study_toml;  ///< the fully resolved study, a study file in its own right
+  std::uint64_t seed = 0;
+  std::uint64_t trials = 0;            ///< per cell
+  std::uint64_t block_trials = 0;      ///< trials per block
+  std::uint64_t trial_column_blocks = 0;  ///< blocks of each cell whose per-trial columns are kept
+  std::string isa = "baseline";        ///< instruction set that computed the numbers
+  Schema schema;
+  std::vector<Axis> axes;
+  std::vector<CellInfo> cells;
+  std::vector<MethodInfo> methods;
+  std::vector<FigureSpec> figures;
+};
+
+}  // namespace ridgeloc::results

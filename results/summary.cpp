@@ -1,0 +1,140 @@
+#include "results/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "results/interval.hpp"
+
+namespace ridgeloc::results {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Below this a standard error is too uncertain, and Wilson's interval of a rare event too lopsided, to be a
+/// bar.
+constexpr std::uint64_t fewest_trusted = 10;
+
+/// Standard errors within 16 % (MCNP's rule).
+constexpr double largest_variance_of_variance = 0.1;
+
+SummaryRow blank_row(std::size_t cell, std::size_t method, std::string metric, std::string unit) {
+  SummaryRow row;
+  row.cell = cell;
+  row.method = method;
+  row.metric = std::move(metric);
+  row.unit = std::move(unit);
+  for (double* field : {&row.mean, &row.mcse, &row.lo, &row.hi, &row.sd, &row.sd_mcse, &row.min, &row.p05,
+                        &row.p25, &row.p50, &row.p75, &row.p95, &row.p50_lo, &row.p50_hi, &row.max}) {
+    *field = nan;
+  }
+  return row;
+}
+
+void fill_moments(SummaryRow& row, const MetricStatistics& metric) {
+  const Moments& moments = metric.moments;
+  if (moments.n == 0) return;
+  row.mean = moments.mean;
+  row.mcse = mean_standard_error(moments);
+  row.sd = standard_deviation(moments);
+  row.sd_mcse = standard_deviation_error(moments);
+  const Interval interval = mean_interval(moments);
+  row.lo = interval.lo;
+  row.hi = interval.hi;
+  row.trusted = moments.n >= fewest_trusted && metric.beyond == 0 &&
+                variance_of_variance(moments) <= largest_variance_of_variance;
+}
+
+void fill_quantiles(SummaryRow& row, const MetricStatistics& metric) {
+  if (row.n == 0) return;
+  row.min = metric.min;
+  row.max = metric.max;
+  if (metric.min < 0.0) return;
+  const auto within = [&](double value) { return std::clamp(value, metric.min, metric.max); };
+  row.p05 = within(metric.histogram.quantile(0.05));
+  row.p25 = within(metric.histogram.quantile(0.25));
+  row.p50 = within(metric.histogram.quantile(0.50));
+  row.p75 = within(metric.histogram.quantile(0.75));
+  row.p95 = within(metric.histogram.quantile(0.95));
+  const Interval interval = quantile_interval(metric.histogram, 0.5);
+  row.p50_lo = within(interval.lo);
+  row.p50_hi = within(interval.hi);
+}
+
+SummaryRow metric_row(std::size_t cell, std::size_t method, const MetricInfo& info,
+                      const MetricStatistics& metric) {
+  SummaryRow row = blank_row(cell, method, info.name, info.unit);
+  row.n = metric.moments.n + metric.beyond;
+  row.beyond = metric.beyond;
+  fill_moments(row, metric);
+  fill_quantiles(row, metric);
+  return row;
+}
+
+SummaryRow event_row(std::size_t cell, std::size_t method, const EventInfo& info, std::uint64_t count,
+                     std::uint64_t trials) {
+  SummaryRow row = blank_row(cell, method, info.name, "1");
+  row.n = trials;
+  if (trials == 0) return row;
+  const double n = static_cast<double>(trials);
+  row.mean = static_cast<double>(count) / n;
+  row.mcse = std::sqrt(row.mean * (1.0 - row.mean) / n);
+  const Interval interval = wilson_interval(count, trials);
+  row.lo = interval.lo;
+  row.hi = interval.hi;
+  row.trusted = std::min(count, trials - count) >= fewest_trusted;
+  return row;
+}
+
+/// What a method reports anywhere: a flag per metric, and whether it has events.
+struct Reported {
+  std::vector<bool> metrics;
+  bool events = false;
+};
+
+Reported reported_by(const Summary& summary, std::size_t method) {
+  Reported reported{std::vector<bool>(summary.header.schema.metrics.size(), false)};
+  for (std::size_t cell = 0; cell < summary.header.cells.size(); ++cell) {
+    const Statistics& statistics = summary.of(cell, method);
+    reported.events = reported.events || !statistics.events.empty();
+    for (std::size_t i = 0; i < statistics.metrics.size(); ++i) {
+      const MetricStatistics& metric = statistics.metrics[i];
+      if (metric.moments.n + metric.beyond > 0) reported.metrics[i] = true;
+    }
+  }
+  return reported;
+}
+
+}  // namespace
+
+std::vector<SummaryRow> summary_rows(const Summary& summary) {
+  const Schema& schema = summary.header.schema;
+  const std::size_t methods = summary.header.methods.size();
+  std::vector<Reported> reported;
+  for (std::size_t method = 0; method < methods; ++method) reported.push_back(reported_by(summary, method));
+
+  // Stands for a cell that has not been computed yet.
+  const MetricStatistics no_metric;
+  std::vector<SummaryRow> rows;
+  for (std::size_t cell = 0; cell < summary.header.cells.size(); ++cell) {
+    for (std::size_t method = 0; method < methods; ++method) {
+      const Statistics& statistics = summary.of(cell, method);
+      for (std::size_t i = 0; i < schema.metrics.size(); ++i) {
+        if (!reported[method].metrics[i]) continue;
+        const bool present = i < statistics.metrics.size();
+        rows.push_back(
+            metric_row(cell, method, schema.metrics[i], present ? statistics.metrics[i] : no_metric));
+      }
+      if (!reported[method].events) continue;
+      for (std::size_t i = 0; i < schema.events.size(); ++i) {
+        const bool present = i < statistics.events.size();
+        rows.push_back(event_row(cell, method, schema.events[i], present ? statistics.events[i] : 0,
+                                 present ? statistics.trials : 0));
+      }
+    }
+  }
+  return rows;
+}
+
+}  // namespace ridgeloc::results

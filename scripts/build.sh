@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Usage: scripts/build.sh [--help]    (CMAKE_BUILD_PARALLEL_LEVEL=N: number of compilers at once)
+# Configures and builds the release preset into build/release, after scripts/setup.sh.
+set -euo pipefail
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+
+case "${1:-}" in
+  "") ;;
+  -h | --help) sed -n '2,3s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  *) echo "build: unknown argument '$1'; see scripts/build.sh --help" >&2; exit 2 ;;
+esac
+
+# Compiling the heaviest files (Ceres, Eigen, CLI11) takes up to 1.5 GiB each.
+kib_per_job=$((3 * 1024 * 1024 / 2))
+
+available_kib() {
+  local kib limit
+  kib="$(awk '$1 == "MemAvailable:" { print $2 }' /proc/meminfo)"
+  limit="$(cat /sys/fs/cgroup/memory.max 2>/dev/null || echo max)"
+  if [[ "$limit" != max ]] && ((limit / 1024 < kib)); then kib=$((limit / 1024)); fi
+  echo "$kib"
+}
+
+jobs="$(nproc)"
+by_memory=$(($(available_kib) / kib_per_job))
+if ((by_memory < jobs)); then jobs=$((by_memory > 0 ? by_memory : 1)); fi
+jobs="${CMAKE_BUILD_PARALLEL_LEVEL:-$jobs}"
+
+"$root/scripts/setup.sh"
+
+options=()
+if command -v ccache >/dev/null; then
+  options+=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+fi
+
+cd "$root"
+echo "build: configuring build/release" >&2
+cmake --preset release "${options[@]}"
+echo "build: compiling, $jobs at once" >&2
+cmake --build build/release --parallel "$jobs"

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "results/block.hpp"
+#include "results/schema.hpp"
+#include "studies/value.hpp"
+
+namespace ridgeloc::studies {
+
+/// One method of a study: a solver with the settings that the study file gives it.
+struct Method {
+  std::string label;
+  std::string solver;
+  Values given;
+};
+
+/// One point of the sweep grid: the value of every setting of the experiment, swept ones included.
+struct Cell {
+  std::size_t index = 0;
+  std::string hash;                  ///< of the swept values
+  std::vector<std::size_t> indices;  ///< per axis
+  Values values;
+};
+
+/// Trials first, first + 1, ..., first + count - 1 of a cell.
+struct TrialRange {
+  std::uint64_t first = 0;
+  std::size_t count = 0;
+};
+
+/// Scratch memory of one thread, kept from block to block.
+class Workspace {
+ public:
+  Workspace() = default;
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+  virtual ~Workspace() = default;
+};
+
+/// A kind of simulated experiment. The runner, the store, the statistics and the figures know this interface alone, so
+/// a new experiment is one file and a line in the registry.
+class Experiment {
+ public:
+  Experiment() = default;
+  Experiment(const Experiment&) = delete;
+  Experiment& operator=(const Experiment&) = delete;
+  virtual ~Experiment() = default;
+
+  virtual std::string_view name() const = 0;
+  virtual std::string_view summary() const = 0;
+
+  /// Raised whenever a change of the code alters numbers; part of the study hash.
+  virtual int version() const = 0;
+
+  /// Trials per block.
+  virtual std::uint64_t block_trials() const = 0;
+
+  virtual std::span<const Setting> settings() const = 0;
+  virtual const results::Schema& schema() const = 0;
+
+  /// Solvers that a [[method]] may name, and which settings each of them reads.
+  virtual std::vector<std::string> solvers() const = 0;
+  virtual std::vector<std::string> settings_of_solver(std::string_view solver) const = 0;
+
+  /// Labels of what the experiment reports beside the methods, after them in the order of columns.
+  virtual std::vector<std::string> extra_labels() const = 0;
+
+  /// Scratch memory for one thread.
+  virtual std::unique_ptr<Workspace> make_workspace() const = 0;
+
+  /// Simulates and solves a range of trials of one cell and hands every column to `sink`. A pure function of (seed,
+  /// cell, methods, range): no clock, no thread, no state between calls. Thread safe for distinct workspaces.
+  virtual void run_block(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, TrialRange range,
+                         Workspace& workspace, results::BlockSink& sink) const = 0;
+};
+
+/// All experiments.
+std::span<const Experiment* const> experiment_registry();
+
+/// The experiment of that name, or null.
+const Experiment* find_experiment(std::string_view name);
+
+}  // namespace ridgeloc::studies

@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "studies/sections.hpp"
+#include "studies/toml_document.hpp"
+
+namespace ridgeloc::studies {
+
+namespace {
+
+results::FigureSpec read_figure(const toml::table& table, const Study& study, std::size_t number) {
+  check_keys(table, "[[figure]]",
+             {"name", "title", "x", "y", "statistic", "group", "facet", "methods", "log_y"});
+  std::vector<std::string> axes;
+  for (const SweepAxis& axis : study.sweep) axes.push_back(axis.setting->name);
+  std::vector<std::string> groups = axes;
+  groups.emplace_back("method");
+  std::vector<std::string> quantities;
+  for (const auto& metric : study.experiment->schema().metrics) quantities.push_back(metric.name);
+  for (const auto& event : study.experiment->schema().events) quantities.push_back(event.name);
+  std::vector<std::string> labels = study.experiment->extra_labels();
+  for (const Method& method : study.methods) labels.push_back(method.label);
+
+  const auto required = [&](const char* key, const char* what) -> const toml::node& {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) fail_at(table, fmt::format("[[figure]] lacks {}: {}", key, what));
+    return *node;
+  };
+  const auto name_allowed = [](const std::string& name) {
+    return !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
+    }) && name.front() != '.';
+  };
+
+  results::FigureSpec figure;
+  const toml::node* name = table.get("name");
+  figure.name = name != nullptr ? read_text(*name, "figure.name")
+                                : number == 1 ? study.name : fmt::format("{}-{}", study.name, number);
+  if (!name_allowed(figure.name)) {
+    fail_at(name != nullptr ? *name : static_cast<const toml::node&>(table),
+            fmt::format("figure name \"{}\" is not allowed: letters, digits, '-', '_' and '.'", figure.name));
+  }
+  const auto taken = std::ranges::find(study.figures, figure.name, &results::FigureSpec::name);
+  if (taken != study.figures.end()) fail_at(table, fmt::format("two figures are called \"{}\"", figure.name));
+  if (axes.empty()) fail_at(table, "[[figure]] needs a swept axis for x; add a [sweep]");
+
+  figure.x = read_text(required("x", "a swept axis"), "figure.x", axes);
+  figure.y = read_texts(required("y", "a metric, or a list of them"), "figure.y", quantities);
+  if (const toml::node* node = table.get("title")) figure.title = read_text(*node, "figure.title");
+  if (const toml::node* node = table.get("statistic")) {
+    figure.statistic = read_text(*node, "figure.statistic", {"mean", "median"});
+  }
+  if (const toml::node* node = table.get("group")) figure.group = read_texts(*node, "figure.group", groups);
+  if (const toml::node* node = table.get("facet")) figure.facet = read_text(*node, "figure.facet", groups);
+  if (const toml::node* node = table.get("methods")) figure.methods = read_texts(*node, "figure.methods", labels);
+  if (const toml::node* node = table.get("log_y")) figure.log_y = read_bool(*node, "figure.log_y");
+  return figure;
+}
+
+}  // namespace
+
+void read_figures(const toml::table& document, Study& study) {
+  const toml::node* node = document.get("figure");
+  if (node == nullptr) return;
+  for (const toml::table* table : read_tables(*node, "figure")) {
+    study.figures.push_back(read_figure(*table, study, study.figures.size() + 1));
+  }
+}
+
+}  // namespace ridgeloc::studies

@@ -1,0 +1,61 @@
+#include "studies/listing.hpp"
+
+#include "sim/range_noise.hpp"
+#include "solvers/solver.hpp"
+#include "studies/catalog.hpp"
+#include "studies/experiment.hpp"
+#include "studies/study_reader.hpp"
+
+namespace ridgeloc::studies {
+
+namespace {
+
+template <class Registry>
+std::vector<Listed> entries_of(const Registry& registry) {
+  std::vector<Listed> entries;
+  for (const auto& entry : registry) entries.push_back({std::string(entry.name), std::string(entry.summary)});
+  return entries;
+}
+
+std::vector<Listed> metrics() {
+  std::vector<Listed> entries;
+  for (const Experiment* experiment : experiment_registry()) {
+    for (const auto& m : experiment->schema().metrics) {
+      entries.push_back({m.name, m.description + (m.unit == "1" ? "" : " (" + m.unit + ")")});
+    }
+    for (const auto& e : experiment->schema().events) entries.push_back({e.name, "rate of " + e.description});
+  }
+  return entries;
+}
+
+std::vector<Listed> experiments() {
+  std::vector<Listed> entries;
+  for (const Experiment* e : experiment_registry()) entries.push_back({std::string(e->name()), std::string(e->summary())});
+  return entries;
+}
+
+std::vector<Listed> studies() {
+  std::vector<Listed> entries;
+  for (const CatalogEntry& entry : catalog()) {
+    entries.push_back({std::string(entry.name), read_study(find_study(entry.name)).title});
+  }
+  return entries;
+}
+
+}  // namespace
+
+const std::vector<std::string>& listing_topics() {
+  static const std::vector<std::string> topics = {"solvers", "k", "noise", "metrics", "experiments", "studies"};
+  return topics;
+}
+
+std::vector<Listed> list_topic(std::string_view topic) {
+  if (topic == "solvers") return entries_of(solvers::solver_registry());
+  if (topic == "k") return entries_of(solvers::k_estimator_registry());
+  if (topic == "noise") return entries_of(sim::noise_registry());
+  if (topic == "metrics") return metrics();
+  if (topic == "experiments") return experiments();
+  return studies();
+}
+
+}  // namespace ridgeloc::studies

@@ -1,0 +1,172 @@
+#include "studies/plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "results/digest.hpp"
+#include "studies/study_writer.hpp"
+
+namespace ridgeloc::studies {
+
+namespace {
+
+/// Digits of a cell's or method's hash: 64 bits tell a million of them apart with a chance of 3e-8 of a collision.
+constexpr std::size_t short_hash_digits = 16;
+
+std::string short_hash(const std::string& content) { return results::sha256_hex(content).substr(0, short_hash_digits); }
+
+results::FactorValue factor_value(const Value& value) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;
+  if (const auto* real = std::get_if<double>(&value)) return *real;
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  return to_toml(value);
+}
+
+/// Groups of axes that move together: each zipped group, and every other axis for itself, by first axis.
+std::vector<std::vector<std::size_t>> axis_groups(const Study& study) {
+  const auto group_of = [&](const std::string& name) {
+    return std::ranges::find_if(study.zip, [&](const auto& g) { return std::ranges::find(g, name) != g.end(); });
+  };
+  std::vector<std::vector<std::size_t>> groups;
+  std::vector<const std::vector<std::string>*> zipped;
+  for (std::size_t a = 0; a < study.sweep.size(); ++a) {
+    const auto zip = group_of(study.sweep[a].setting->name);
+    const auto known = zip == study.zip.end() ? zipped.end() : std::ranges::find(zipped, &*zip);
+    if (known != zipped.end()) {
+      groups[static_cast<std::size_t>(known - zipped.begin())].push_back(a);
+    } else {
+      groups.push_back({a});
+      zipped.push_back(zip == study.zip.end() ? nullptr : &*zip);
+    }
+  }
+  return groups;
+}
+
+bool excluded(const Study& study, const Values& values) {
+  return std::ranges::any_of(study.exclude, [&](const Values& pattern) {
+    return std::ranges::all_of(pattern, [&](const auto& item) { return values.at(item.first) == item.second; });
+  });
+}
+
+std::vector<Cell> make_cells(const Study& study) {
+  const auto groups = axis_groups(study);
+  std::vector<std::size_t> counter(groups.size(), 0);
+  std::vector<Cell> cells;
+  const auto size = [&](std::size_t g) { return study.sweep[groups[g].front()].values.size(); };
+  for (bool more = true; more;) {
+    Cell cell;
+    cell.index = cells.size();
+    cell.indices.resize(study.sweep.size());
+    cell.values = study.fixed;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      for (const std::size_t a : groups[g]) {
+        cell.indices[a] = counter[g];
+        cell.values[study.sweep[a].setting->name] = study.sweep[a].values[counter[g]];
+      }
+    }
+    std::string content;
+    for (const SweepAxis& axis : study.sweep) {
+      content += fmt::format("{} = {}\n", axis.setting->name, to_toml(cell.values[axis.setting->name]));
+    }
+    cell.hash = short_hash(content);
+    if (!excluded(study, cell.values)) cells.push_back(std::move(cell));
+
+    more = false;
+    for (std::size_t g = groups.size(); g-- > 0 && !more;) {
+      more = ++counter[g] < size(g);
+      if (!more) counter[g] = 0;
+    }
+  }
+  return cells;
+}
+
+/// What changes every number and is neither swept nor a method's own. Trials, figures and titles are not part of it, so
+/// a longer or wider study continues an old result.
+std::string study_content(const Study& study) {
+  std::string content = fmt::format("experiment = {} version {}\nseed = {}\nblock = {}\n", study.experiment->name(),
+                                    study.experiment->version(), study.seed, study.experiment->block_trials());
+  for (const Setting& setting : study.experiment->settings()) {
+    const auto value = study.fixed.find(setting.name);
+    if (setting.per_method || value == study.fixed.end()) continue;
+    content += fmt::format("{} = {}\n", setting.name, to_toml(value->second));
+  }
+  return content;
+}
+
+/// The settings that a method's solver reads, swept ones aside.
+std::string method_content(const Study& study, const Method& method) {
+  std::string content = fmt::format("solver = {}", method.solver);
+  for (const std::string& name : study.experiment->settings_of_solver(method.solver)) {
+    const auto given = method.given.find(name);
+    const auto shared = study.fixed.find(name);
+    if (given != method.given.end()) {
+      content += fmt::format(", {} = {}", name, to_toml(given->second));
+    } else if (shared != study.fixed.end()) {
+      content += fmt::format(", {} = {}", name, to_toml(shared->second));
+    }
+  }
+  return content;
+}
+
+results::Header make_header(const Study& study, const std::vector<Cell>& cells) {
+  results::Header header;
+  header.title = study.title;
+  header.experiment = study.experiment->name();
+  header.experiment_version = study.experiment->version();
+  header.study_hash = results::sha256_hex(study_content(study));
+  header.study_toml = resolved_toml(study);
+  header.seed = study.seed;
+  header.trials = study.trials;
+  header.block_trials = study.experiment->block_trials();
+  header.trial_column_blocks = static_cast<std::uint64_t>(study.trial_columns_mib * core::mebibyte /
+                                                          static_cast<double>(bytes_per_trial(study))) /
+                               header.block_trials;
+  header.schema = study.experiment->schema();
+  for (const SweepAxis& axis : study.sweep) {
+    results::Axis out{axis.setting->name, axis.setting->unit, axis.setting->description, {}};
+    for (const Value& value : axis.values) out.values.push_back(factor_value(value));
+    header.axes.push_back(std::move(out));
+  }
+  for (const Cell& cell : cells) header.cells.push_back({cell.hash, cell.indices});
+  for (const Method& method : study.methods) {
+    const std::string content = method_content(study, method);
+    header.methods.push_back({method.label, short_hash(content), content});
+  }
+  for (const std::string& label : study.experiment->extra_labels()) {
+    header.methods.push_back({label, short_hash(label), "what does not depend on a solver"});
+  }
+  header.figures = study.figures;
+  return header;
+}
+
+}  // namespace
+
+TrialRange Plan::range(std::uint64_t block) const {
+  const std::uint64_t first = block * header.block_trials;
+  return {first, static_cast<std::size_t>(std::min(header.block_trials, header.trials - first))};
+}
+
+Plan make_plan(const Study& study) {
+  Plan plan;
+  plan.cells = make_cells(study);
+  if (plan.cells.empty()) {
+    throw core::InputError(fmt::format("{}: sweep.exclude leaves no cell at all; remove one of its tables", study.name));
+  }
+  for (std::size_t i = 0; i < plan.cells.size(); ++i) plan.cells[i].index = i;
+  plan.header = make_header(study, plan.cells);
+  plan.blocks_per_cell = (study.trials + plan.header.block_trials - 1) / plan.header.block_trials;
+  return plan;
+}
+
+std::uint64_t bytes_per_trial(const Study& study) {
+  const results::Schema& schema = study.experiment->schema();
+  const std::uint64_t columns = schema.metrics.size() * sizeof(double) + sizeof(std::uint8_t);
+  return columns * (study.methods.size() + study.experiment->extra_labels().size());
+}
+
+}  // namespace ridgeloc::studies

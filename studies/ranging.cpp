@@ -1,0 +1,181 @@
+#include "studies/ranging.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/problem.hpp"
+#include "core/solution.hpp"
+#include "sim/field_of_view.hpp"
+#include "sim/range_noise.hpp"
+#include "solvers/solver.hpp"
+#include "studies/ranging_settings.hpp"
+#include "studies/yardsticks.hpp"
+
+namespace ridgeloc::studies {
+
+namespace {
+
+/// |J'We| / sum w (m) below which a stop counts as stationary. A Gauss-Newton step below the 0.05 m stop leaves at
+/// most |dx|^2 / (2 r) = 3e-4 m of mean gradient at r = 5 m; a solver that is really held back leaves more.
+constexpr double stationary_gradient_m = 1e-3;
+
+constexpr std::string_view scene_label = "scene";
+
+// Columns of the schema, in its order.
+enum Metric : std::size_t { ErrorM, ErrorAllM, Iterations, EtaFirst, EtaLast, EtaMean, ResidualRmsM, CrbM, Gdop };
+
+results::Schema make_schema() {
+  results::Schema schema;
+  schema.metrics = {
+      {"error_m", "m", "position error of converged trials", false},
+      {"error_all_m", "m", "position error of all trials", true},
+      {"iterations", "1", "iterations, a failed trial counting the limit", false},
+      {"eta_first", "1", "similarity of K to the true K at the first iteration", false},
+      {"eta_last", "1", "similarity of K to the true K at the last iteration", false},
+      {"eta_mean", "1", "similarity of K to the true K averaged over the iterations", false},
+      {"residual_rms_m", "m", "root mean square residual of converged trials", false},
+      {"crb_m", "m", "Cramer-Rao bound of the position error", true},
+      {"gdop", "1", "geometric dilution of precision", true},
+  };
+  for (const std::string_view status : core::status_names) {
+    schema.events.push_back({std::string(status), "trials that ended as " + std::string(status)});
+  }
+  schema.statuses = schema.events.size();
+  schema.events.push_back({"stationary", "trials that converged to a stationary point"});
+  return schema;
+}
+
+struct Scratch : Workspace {
+  core::ProblemBatch problems;
+  core::SolutionBatch solutions;
+  std::array<std::vector<double>, 3> truth;
+  std::vector<double> values;
+  std::vector<std::uint8_t> flags;
+};
+
+class Ranging : public Experiment {
+ public:
+  std::string_view name() const override { return "ranging"; }
+  std::string_view summary() const override {
+    return "noisy ranges to objects in a field of view (RRR paper, section 4, Fig. 3)";
+  }
+  int version() const override { return 1; }
+  std::uint64_t block_trials() const override { return 4096; }
+  std::span<const Setting> settings() const override { return ranging_settings(); }
+  const results::Schema& schema() const override {
+    static const results::Schema schema = make_schema();
+    return schema;
+  }
+
+  std::vector<std::string> solvers() const override {
+    std::vector<std::string> names;
+    for (const auto& entry : solvers::solver_registry()) names.emplace_back(entry.name);
+    return names;
+  }
+
+  std::vector<std::string> settings_of_solver(std::string_view solver) const override {
+    std::vector<std::string> names = {"max_iterations", "step_tolerance_m"};
+    const solvers::SolverEntry* entry = solvers::find_solver(solver);
+    if (entry != nullptr) names.insert(names.end(), entry->options.begin(), entry->options.end());
+    return names;
+  }
+
+  std::vector<std::string> extra_labels() const override { return {std::string(scene_label)}; }
+
+  std::unique_ptr<Workspace> make_workspace() const override { return std::make_unique<Scratch>(); }
+
+  void run_block(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, TrialRange range,
+                 Workspace& workspace, results::BlockSink& sink) const override {
+    auto& scratch = static_cast<Scratch&>(workspace);
+    const RangingCell settings(cell.values);
+
+    scratch.problems.reshape(settings.points, range.count);
+    sim::place_objects(settings.view, sim::SceneStreams(seed, settings.view), range.first, scratch.problems);
+    sim::measure_ranges(*settings.noise, settings.range_sigma_m, core::Stream(seed, "noise"), range.first,
+                        scratch.problems);
+
+    core::Oracle oracle;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      scratch.truth[axis].assign(range.count, sim::true_position_m[axis]);
+      oracle.truth[axis] = scratch.truth[axis];
+    }
+    oracle.range_sigma_m = settings.range_sigma_m;
+    oracle.k_error = core::Stream(seed, "k_error");
+    oracle.first_trial = range.first;
+
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      const solvers::SolverOptions options = solver_options(cell.values, methods[m].given);
+      solvers::find_solver(methods[m].solver)->solve(scratch.problems, options, &oracle, scratch.solutions);
+      const auto read = settings_of_solver(methods[m].solver);
+      const bool reads_k = std::ranges::find(read, "k") != read.end();
+      report_method(m, options, reads_k, scratch, sink);
+    }
+    report_scene(methods.size(), settings, scratch, sink);
+  }
+
+ private:
+  /// Writes f(trial) for every trial into one column of the sink.
+  template <class F>
+  static void report(std::size_t method, Metric metric, Scratch& scratch, results::BlockSink& sink, F&& value) {
+    scratch.values.resize(scratch.problems.trials());
+    for (std::size_t t = 0; t < scratch.values.size(); ++t) scratch.values[t] = value(t);
+    sink.metric(method, metric, scratch.values);
+  }
+
+  static void report_method(std::size_t m, const solvers::SolverOptions& options, bool reads_k, Scratch& scratch,
+                            results::BlockSink& sink) {
+    const core::SolutionBatch& s = scratch.solutions;
+    constexpr double not_in_population = std::numeric_limits<double>::quiet_NaN();
+    const auto converged = [&](std::size_t t) {
+      return s.status[t] == static_cast<std::uint8_t>(core::Status::Converged);
+    };
+    const auto error = [&](std::size_t t) {
+      double squared = 0.0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double d = s.estimate[axis][t] - sim::true_position_m[axis];
+        squared += d * d;
+      }
+      return std::sqrt(squared);
+    };
+
+    sink.status(m, s.status);
+    scratch.flags.resize(s.trials());
+    for (std::size_t t = 0; t < s.trials(); ++t) {
+      scratch.flags[t] = converged(t) && s.gradient_m[t] <= stationary_gradient_m ? 1 : 0;
+    }
+    sink.event(m, core::status_names.size(), scratch.flags);
+
+    report(m, ErrorM, scratch, sink, [&](std::size_t t) { return converged(t) ? error(t) : not_in_population; });
+    report(m, ErrorAllM, scratch, sink, [&](std::size_t t) {
+      const double e = error(t);
+      return std::isfinite(e) ? e : std::numeric_limits<double>::infinity();
+    });
+    report(m, Iterations, scratch, sink,
+           [&](std::size_t t) { return converged(t) ? s.iterations[t] : static_cast<double>(options.max_iterations); });
+    if (reads_k) {
+      sink.metric(m, EtaFirst, s.eta_first);
+      sink.metric(m, EtaLast, s.eta_last);
+      sink.metric(m, EtaMean, s.eta_mean);
+    }
+    report(m, ResidualRmsM, scratch, sink,
+           [&](std::size_t t) { return converged(t) ? s.residual_rms_m[t] : not_in_population; });
+  }
+
+  static void report_scene(std::size_t label, const RangingCell& settings, Scratch& scratch, results::BlockSink& sink) {
+    scratch.values.resize(scratch.problems.trials());
+    dilution_of_precision(scratch.problems, sim::true_position_m, scratch.values);
+    sink.metric(label, Gdop, scratch.values);
+    for (double& value : scratch.values) value *= settings.range_sigma_m;
+    sink.metric(label, CrbM, scratch.values);
+  }
+};
+
+}  // namespace
+
+const Experiment& ranging_experiment() {
+  static const Ranging experiment;
+  return experiment;
+}
+
+}  // namespace ridgeloc::studies

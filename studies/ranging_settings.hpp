@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+
+#include "sim/field_of_view.hpp"
+#include "sim/range_noise.hpp"
+#include "solvers/options.hpp"
+#include "studies/value.hpp"
+
+namespace ridgeloc::studies {
+
+/// Settings of the `ranging` experiment: sections scene, noise and solver.
+std::span<const Setting> ranging_settings();
+
+/// What a cell says about scene and noise.
+struct RangingCell {
+  explicit RangingCell(const Values& values);
+  std::size_t points;
+  sim::FieldOfView view;
+  const sim::NoiseEntry* noise;
+  double range_sigma_m;
+};
+
+/// What a method's own settings, and where it has none the cell's, say about its solver.
+solvers::SolverOptions solver_options(const Values& cell, const Values& given);
+
+}  // namespace ridgeloc::studies

@@ -1,0 +1,20 @@
+#include <algorithm>
+#include <array>
+
+#include "studies/experiment.hpp"
+#include "studies/ranging.hpp"
+
+namespace ridgeloc::studies {
+
+std::span<const Experiment* const> experiment_registry() {
+  static const std::array<const Experiment*, 1> registry = {&ranging_experiment()};
+  return registry;
+}
+
+const Experiment* find_experiment(std::string_view name) {
+  const auto registry = experiment_registry();
+  const auto found = std::ranges::find(registry, name, [](const Experiment* e) { return e->name(); });
+  return found == registry.end() ? nullptr : *found;
+}
+
+}  // namespace ridgeloc::studies

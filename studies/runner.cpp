@@ -1,0 +1,86 @@
+#include "studies/runner.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "results/block.hpp"
+#include "results/result_writer.hpp"
+
+namespace ridgeloc::studies {
+
+namespace {
+
+/// Blocks that one task computes before it hands them to the store: long enough for the hand-over not to be felt,
+/// short enough to share the work evenly and to stop soon.
+constexpr std::uint64_t blocks_per_task = 4;
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
+
+RunOutcome run_study(const Study& study, const Plan& plan, const std::filesystem::path& output, int threads,
+                     results::Provenance provenance, RunProgress& progress, const std::atomic<bool>& stop) {
+  results::ResultWriter writer(output, plan.header);
+  const Experiment& experiment = *study.experiment;
+  const std::uint64_t tasks_per_cell = (plan.blocks_per_cell + blocks_per_task - 1) / blocks_per_task;
+  const std::uint64_t tasks = tasks_per_cell * plan.cells.size();
+  std::atomic<std::uint64_t> found{0};
+  std::atomic<std::uint64_t> computed{0};
+
+  const auto begin = std::chrono::steady_clock::now();
+  tbb::enumerable_thread_specific<std::unique_ptr<Workspace>> workspaces([&] { return experiment.make_workspace(); });
+  const auto run_task = [&](std::uint64_t task) {
+    const Cell& cell = plan.cells[task / tasks_per_cell];
+    const std::uint64_t first = task % tasks_per_cell * blocks_per_task;
+    const std::uint64_t end = std::min(first + blocks_per_task, plan.blocks_per_cell);
+    std::vector<results::BlockSink> sinks;
+    for (std::uint64_t block = first; block < end && !stop.load(std::memory_order_relaxed); ++block) {
+      if (writer.contains(cell.index, block)) {
+        found.fetch_add(1, std::memory_order_relaxed);
+      } else {
+        const TrialRange range = plan.range(block);
+        results::BlockSink& sink = sinks.emplace_back(plan.header, cell.index, block, range.count);
+        experiment.run_block(study.seed, cell, study.methods, range, *workspaces.local(), sink);
+        computed.fetch_add(1, std::memory_order_relaxed);
+        progress.trials_done.fetch_add(range.count, std::memory_order_relaxed);
+      }
+      progress.blocks_done.fetch_add(1, std::memory_order_relaxed);
+    }
+    if (!sinks.empty()) writer.add(std::move(sinks));
+  };
+
+  // The arena sets how many threads this run uses; the control lets it exceed the number of processors.
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::uint64_t>(0, tasks, 1),
+        [&](const tbb::blocked_range<std::uint64_t>& range) {
+          for (std::uint64_t task = range.begin(); task != range.end(); ++task) run_task(task);
+        },
+        tbb::simple_partitioner{});
+  });
+
+  RunOutcome outcome{false, found.load(), computed.load(), writer.warnings()};
+  if (stop.load()) {
+    writer.flush();
+    return outcome;
+  }
+  provenance.threads = static_cast<unsigned>(threads);
+  provenance.wall_time_s.emplace_back("compute", seconds_since(begin));
+  writer.seal(provenance);
+  outcome.sealed = true;
+  return outcome;
+}
+
+}  // namespace ridgeloc::studies

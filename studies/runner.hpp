@@ -1,0 +1,37 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/provenance.hpp"
+#include "studies/plan.hpp"
+#include "studies/study.hpp"
+
+namespace ridgeloc::studies {
+
+/// How far a run is. Written by the workers, read by whoever shows it; atomics alone, no lock.
+struct RunProgress {
+  std::atomic<std::uint64_t> blocks_done{0};  ///< blocks of this run and those found finished
+  std::atomic<std::uint64_t> trials_done{0};  ///< trials of this run
+};
+
+struct RunOutcome {
+  bool sealed = false;              ///< false: stopped before the end, finished blocks kept
+  std::uint64_t blocks_found = 0;   ///< finished by an earlier run that was killed
+  std::uint64_t blocks_run = 0;
+  std::vector<std::string> warnings;  ///< one line per damaged part that was found and is computed again
+};
+
+/// Computes every block of a plan that the result does not have yet, on `threads` threads, and seals the result.
+///
+/// Blocks are independent tasks; what a block holds does not depend on the number of threads or on the order. When
+/// `stop` becomes true, running blocks end, are kept, and the result stays unsealed. `provenance` carries what the
+/// caller knows about the build; the runner adds threads and wall times.
+/// Throws core::InputError if `output` cannot be used, core::IoError if writing fails; finished parts are kept.
+RunOutcome run_study(const Study& study, const Plan& plan, const std::filesystem::path& output, int threads,
+                     results::Provenance provenance, RunProgress& progress, const std::atomic<bool>& stop);
+
+}  // namespace ridgeloc::studies

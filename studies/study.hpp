@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "results/schema.hpp"
+#include "studies/experiment.hpp"
+#include "studies/value.hpp"
+
+namespace ridgeloc::studies {
+
+/// One swept setting and its values.
+struct SweepAxis {
+  const Setting* setting = nullptr;
+  std::vector<Value> values;
+};
+
+/// A study, read and validated: nothing in it is missing, unknown or out of range.
+struct Study {
+  std::string name;   ///< of the file without extension, or of the catalog entry
+  std::string title;
+  const Experiment* experiment = nullptr;
+  std::uint64_t seed = 2018;
+  std::uint64_t trials = 100;           ///< per cell
+  double trial_columns_mib = 64.0;      ///< per-trial columns kept of each cell
+  Values fixed;                         ///< every setting that is not swept
+  std::vector<SweepAxis> sweep;
+  std::vector<std::vector<std::string>> zip;  ///< axes that move together instead of being crossed
+  std::vector<Values> exclude;                ///< cells with all of these values are left out
+  std::vector<Method> methods;
+  std::vector<results::FigureSpec> figures;
+};
+
+/// Bounds of the settings that every study has.
+inline constexpr std::uint64_t max_trials = 1'000'000'000'000;
+inline constexpr std::size_t max_cells = 1'000'000;
+
+}  // namespace ridgeloc::studies

@@ -1,0 +1,123 @@
+#include "studies/study_writer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace ridgeloc::studies {
+
+namespace {
+
+std::string quoted(const std::string& text) { return to_toml(Value(text)); }
+
+std::string quoted_list(const std::vector<std::string>& texts) {
+  std::vector<std::string> parts;
+  for (const std::string& text : texts) parts.push_back(quoted(text));
+  return fmt::format("[{}]", fmt::join(parts, ", "));
+}
+
+std::string value_list(const std::vector<Value>& values) {
+  std::vector<std::string> parts;
+  for (const Value& value : values) parts.push_back(to_toml(value));
+  return fmt::format("[{}]", fmt::join(parts, ", "));
+}
+
+std::string inline_table(const Values& values) {
+  std::vector<std::string> parts;
+  for (const auto& [name, value] : values) parts.push_back(fmt::format("{} = {}", name, to_toml(value)));
+  return fmt::format("{{ {} }}", fmt::join(parts, ", "));
+}
+
+void write_sweep(const Study& study, std::string& out) {
+  if (study.sweep.empty()) return;
+  out += "\n[sweep]\n";
+  for (const SweepAxis& axis : study.sweep) out += fmt::format("{} = {}\n", axis.setting->name, value_list(axis.values));
+  if (!study.zip.empty()) {
+    std::vector<std::string> groups;
+    for (const auto& group : study.zip) groups.push_back(quoted_list(group));
+    out += fmt::format("zip = [{}]\n", fmt::join(groups, ", "));
+  }
+  if (!study.exclude.empty()) {
+    std::vector<std::string> tables;
+    for (const Values& values : study.exclude) tables.push_back(inline_table(values));
+    out += fmt::format("exclude = [{}]\n", fmt::join(tables, ", "));
+  }
+}
+
+void write_figure(const results::FigureSpec& figure, std::string& out) {
+  out += fmt::format("\n[[figure]]\nname = {}\n", quoted(figure.name));
+  if (!figure.title.empty()) out += fmt::format("title = {}\n", quoted(figure.title));
+  out += fmt::format("x = {}\ny = {}\n", quoted(figure.x), quoted_list(figure.y));
+  if (!figure.statistic.empty()) out += fmt::format("statistic = {}\n", quoted(figure.statistic));
+  if (!figure.group.empty()) out += fmt::format("group = {}\n", quoted_list(figure.group));
+  if (!figure.facet.empty()) out += fmt::format("facet = {}\n", quoted(figure.facet));
+  if (!figure.methods.empty()) out += fmt::format("methods = {}\n", quoted_list(figure.methods));
+  if (figure.log_y) out += "log_y = true\n";
+}
+
+/// Calls `line` for every setting, with a section heading whenever the section changes.
+template <class F>
+void for_each_setting(const Experiment& experiment, std::string& out, F&& line) {
+  std::string section;
+  for (const Setting& setting : experiment.settings()) {
+    if (setting.section != section) {
+      section = setting.section;
+      out += fmt::format("\n[{}]\n", section);
+    }
+    line(setting);
+  }
+}
+
+}  // namespace
+
+std::string resolved_toml(const Study& study) {
+  std::string out;
+  out += fmt::format("title = {}\nexperiment = {}\nseed = {}\ntrials = {}\n", quoted(study.title),
+                     quoted(std::string(study.experiment->name())), study.seed, study.trials);
+  out += fmt::format("\n[store]\ntrial_columns_mib = {}\n", to_toml(Value(study.trial_columns_mib)));
+  for_each_setting(*study.experiment, out, [&](const Setting& setting) {
+    const auto found = study.fixed.find(setting.name);
+    if (found != study.fixed.end()) out += fmt::format("{} = {}\n", setting.name, to_toml(found->second));
+  });
+  write_sweep(study, out);
+  for (const Method& method : study.methods) {
+    out += fmt::format("\n[[method]]\nname = {}\nsolver = {}\n", quoted(method.label), quoted(method.solver));
+    for (const auto& [name, value] : method.given) out += fmt::format("{} = {}\n", name, to_toml(value));
+  }
+  for (const results::FigureSpec& figure : study.figures) write_figure(figure, out);
+  return out;
+}
+
+std::string template_toml(const Experiment& experiment) {
+  std::string out = fmt::format(
+      "# A study of the experiment \"{}\": {}.\n"
+      "# Run it with: ridgeloc run FILE.toml -o FILE.h5\n"
+      "# Every setting below stands at its default; what you leave out stays there.\n\n"
+      "title = \"My study\"\nexperiment = \"{}\"\nseed = 2018\ntrials = 10000  # per cell\n\n"
+      "[store]\ntrial_columns_mib = 64.0  # per-trial columns kept of each cell (MiB)\n",
+      experiment.name(), experiment.summary(), experiment.name());
+  for_each_setting(experiment, out, [&](const Setting& s) {
+    const std::string unit = s.unit == "1" ? "" : fmt::format(" ({})", s.unit);
+    out += fmt::format("# {}{}: {}\n", s.description, unit, accepted(s));
+    // Swept below, so it may not stand here too.
+    const bool swept = s.name == "points" || s.name == "range_sigma_m";
+    out += fmt::format("{}{} = {}\n", swept ? "# " : "", s.name, to_toml(s.standard));
+  });
+  out +=
+      "\n# Axes to sweep, crossed: any setting above that you take out there. Values as a list or as a range\n"
+      "# { from = 0.1, to = 0.5, step = 0.1 }. zip = [[\"a\", \"b\"]] moves axes together, exclude = [{ a = 1, b = 2 }]\n"
+      "# leaves cells out.\n"
+      "[sweep]\npoints = [3, 5, 7]\nrange_sigma_m = [0.1, 0.3, 0.5]\n\n"
+      "# Methods, compared on the same trials. A method may set any key of [solver] that its solver reads for itself,\n"
+      "# and is called after its solver unless it has a name.\n";
+  for (const char* solver : {"ols", "rr", "rrr"}) out += fmt::format("[[method]]\nsolver = \"{}\"\n\n", solver);
+  out +=
+      "# Figures, drawn by: ridgeloc plot FILE.h5\n"
+      "[[figure]]\nx = \"points\"\ny = \"error_m\"\ngroup = \"range_sigma_m\"\nfacet = \"method\"\n"
+      "methods = [\"ols\", \"rr\", \"rrr\"]\nstatistic = \"median\"\n";
+  return out;
+}
+
+}  // namespace ridgeloc::studies

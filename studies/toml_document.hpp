@@ -1,0 +1,44 @@
+#pragma once
+
+// Internal to studies: the only header that shows toml++ to the readers of study files.
+
+#include <toml++/toml.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "studies/value.hpp"
+
+namespace ridgeloc::studies {
+
+/// Parses a study file and applies "key=value" overrides to it. Nodes remember their file and line.
+toml::table parse_document(std::string_view text, const std::string& origin, std::span<const std::string> overrides);
+
+/// "file:line" of a node, or the override that it came from.
+std::string place_of(const toml::node& node);
+
+/// Throws core::InputError with "place: message".
+[[noreturn]] void fail_at(const toml::node& node, const std::string& message);
+
+/// Refuses keys that are not among `allowed`, naming the nearest one.
+void check_keys(const toml::table& table, std::string_view table_name, const std::vector<std::string>& allowed);
+
+/// " (did you mean \"points\"?)" where a candidate is near, otherwise " (allowed: ...)".
+std::string suggestion(std::string_view name, const std::vector<std::string>& candidates);
+
+/// Reads a node as the value of a setting, within its bounds. `label` is how messages call it.
+Value read_setting(const toml::node& node, const Setting& setting, const std::string& label);
+
+/// Reads a node as text, or as a list of texts, one of `choices` each when there are any.
+std::string read_text(const toml::node& node, const std::string& label, const std::vector<std::string>& choices = {});
+std::vector<std::string> read_texts(const toml::node& node, const std::string& label,
+                                    const std::vector<std::string>& choices);
+
+/// Reads a node as a table, an array, an array of tables or a truth value.
+const toml::table& read_table(const toml::node& node, const std::string& label);
+std::vector<const toml::table*> read_tables(const toml::node& node, const std::string& label);
+bool read_bool(const toml::node& node, const std::string& label);
+
+}  // namespace ridgeloc::studies

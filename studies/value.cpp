@@ -1,0 +1,88 @@
+#include "studies/value.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ridgeloc::studies {
+
+namespace {
+
+std::string number_text(double value) {
+  std::string text = fmt::format("{}", value);
+  const bool looks_real = text.find_first_of(".en") != std::string::npos;
+  return looks_real ? text : text + ".0";
+}
+
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      out += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+}  // namespace
+
+std::string to_toml(const Value& value) {
+  struct Writer {
+    std::string operator()(std::int64_t v) const { return fmt::format("{}", v); }
+    std::string operator()(double v) const { return number_text(v); }
+    std::string operator()(const std::string& v) const { return quoted(v); }
+    std::string operator()(const Interval& v) const {
+      return fmt::format("[{}, {}]", number_text(v[0]), number_text(v[1]));
+    }
+  };
+  return std::visit(Writer{}, value);
+}
+
+std::string accepted(const Setting& s) {
+  switch (s.kind) {
+    case Kind::Real:
+      return fmt::format("a number from {} to {}", s.low, s.high);
+    case Kind::Integer:
+      return fmt::format("a whole number from {} to {}", s.low, s.high);
+    case Kind::Choice:
+      return fmt::format("one of: {}", fmt::join(s.choices, ", "));
+    case Kind::Range:
+      return fmt::format("two numbers [low, high], low < high, from {} to {}", s.low, s.high);
+  }
+  return {};
+}
+
+std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
+  const auto distance = [name](std::string_view other) {
+    std::vector<std::size_t> row(other.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      std::size_t diagonal = row[0]++;
+      for (std::size_t j = 0; j < other.size(); ++j) {
+        const std::size_t substituted = diagonal + (name[i] == other[j] ? 0 : 1);
+        diagonal = row[j + 1];
+        row[j + 1] = std::min({substituted, row[j] + 1, row[j + 1] + 1});
+      }
+    }
+    return row.back();
+  };
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(2, name.size() / 2) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t d = distance(candidate);
+    if (d < best_distance) {
+      best = candidate;
+      best_distance = d;
+    }
+  }
+  return best;
+}
+
+}  // namespace ridgeloc::studies

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace ridgeloc::studies {
+
+/// A closed interval [low, high].
+using Interval = std::array<double, 2>;
+
+/// The value of a setting.
+using Value = std::variant<std::int64_t, double, std::string, Interval>;
+
+/// Values by name of setting.
+using Values = std::map<std::string, Value, std::less<>>;
+
+/// A value as it is written in a study file; equal values have equal texts and different ones different texts, so it
+/// also serves as the content that hashes are made of.
+std::string to_toml(const Value& value);
+
+/// What a setting accepts.
+enum class Kind { Real, Integer, Choice, Range };
+
+/// One setting of an experiment: the single place that knows its default, bounds and meaning. Study validation, the
+/// `new` and `list` verbs and the result's labels are all made from it.
+struct Setting {
+  std::string section;  ///< table of the study file
+  std::string name;     ///< unique among all sections
+  Kind kind = Kind::Real;
+  Value standard;       ///< default
+  double low = 0.0;     ///< bounds of numbers and of both ends of an interval, inclusive
+  double high = 0.0;
+  std::vector<std::string> choices;
+  std::string unit;     ///< "1" where there is none
+  std::string description;
+  bool per_method = false;  ///< may also stand in a [[method]]
+};
+
+/// What the setting accepts, for messages and templates: "a number from 0 to 10", "one of: a, b".
+std::string accepted(const Setting& setting);
+
+/// The candidate nearest to `name` in edit distance, or empty when none is near.
+std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
+
+}  // namespace ridgeloc::studies

@@ -1,0 +1,76 @@
+#include "results/block.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "catch.hpp"
+#include "results/sample_study.hpp"
+
+using namespace ridgeloc::results;
+
+namespace {
+
+const std::vector<std::uint8_t> codes = {1, 2, 1, 1};
+const std::vector<std::uint8_t> flags = {1, 0, 0, 1};
+const std::vector<double> errors = {0.5, std::nan(""), 2.0, 0.25};
+
+BlockSink filled(std::uint64_t block = 0) {
+  BlockSink sink(test::sample_header(), 1, block, 4);
+  sink.status(0, codes);
+  sink.event(0, 3, flags);
+  sink.metric(0, 0, errors);
+  return sink;
+}
+
+}  // namespace
+
+TEST_CASE("a block is reduced to counts and statistics per method") {
+  const std::vector<Row> rows = filled().take_rows();
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[0].cell == 1);
+  CHECK(rows[0].statistics.trials == 4);
+  CHECK(rows[0].statistics.events == std::vector<std::uint64_t>{0, 3, 1, 2});
+  CHECK(rows[0].statistics.metrics[0] == statistics_of(errors));
+  CHECK(rows[0].statistics.metrics[1] == MetricStatistics{});
+  CHECK(rows[1].statistics.events.empty());
+  CHECK(rows[1].statistics.trials == 4);
+}
+
+TEST_CASE("columns are kept for the first blocks alone") {
+  const Header header = test::sample_header();
+  const std::vector<TrialColumns> kept = filled().take_columns();
+  REQUIRE(kept.size() == 1);
+  CHECK(kept[0].status == codes);
+  CHECK(kept[0].metrics[0].size() == 4);
+  CHECK(kept[0].metrics[0][3] == errors[3]);
+  CHECK(kept[0].metrics[1].empty());
+  CHECK(filled(header.trial_column_blocks - 1).take_columns().size() == 1);
+  CHECK(filled(header.trial_column_blocks).take_columns().empty());
+}
+
+TEST_CASE("the digest of a method changes with every value it was given") {
+  const auto digest = [](std::uint8_t code, std::uint8_t flag, double error, std::size_t metric) {
+    BlockSink sink(test::sample_header(), 1, 0, 1);
+    sink.status(0, std::vector<std::uint8_t>{code});
+    sink.event(0, 3, std::vector<std::uint8_t>{flag});
+    sink.metric(0, metric, std::vector<double>{error});
+    return sink.take_rows()[0].digests.at(0);
+  };
+  const std::uint64_t reference = digest(1, 1, 0.5, 0);
+  CHECK(digest(1, 1, 0.5, 0) == reference);
+  CHECK(digest(2, 1, 0.5, 0) != reference);
+  CHECK(digest(1, 0, 0.5, 0) != reference);
+  CHECK(digest(1, 1, std::nextafter(0.5, 1.0), 0) != reference);
+  CHECK(digest(1, 1, 0.5, 1) != reference);
+}
+
+TEST_CASE("misuse of a block is refused") {
+  BlockSink sink(test::sample_header(), 1, 0, 4);
+  CHECK_THROWS_AS(sink.metric(0, 0, std::vector<double>(3)), std::invalid_argument);
+  CHECK_THROWS_AS(sink.status(0, std::vector<std::uint8_t>(4, 3)), std::invalid_argument);
+  CHECK_THROWS_AS(sink.event(0, 1, flags), std::invalid_argument);
+  CHECK_THROWS_AS(sink.event(0, 4, flags), std::invalid_argument);
+  CHECK_THROWS_AS(BlockSink(test::sample_header(), 5, 0, 4), std::invalid_argument);
+  CHECK_THROWS_AS(BlockSink(test::sample_header(), 0, 0, test::sample_block_trials + 1),
+                  std::invalid_argument);
+}

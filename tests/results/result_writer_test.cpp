@@ -1,0 +1,292 @@
+#include "results/result_writer.hpp"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <random>
+#include <thread>
+
+#include "catch.hpp"
+#include "core/error.hpp"
+#include "results/result_file.hpp"
+#include "results/sample_study.hpp"
+
+using namespace ridgeloc;
+using namespace ridgeloc::results;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Tasks = std::vector<std::pair<std::size_t, std::uint64_t>>;
+
+void add(ResultWriter& writer, const Header& header, std::size_t cell, std::uint64_t block) {
+  std::vector<BlockSink> blocks;
+  blocks.push_back(test::sample_block(header, cell, block));
+  writer.add(std::move(blocks));
+}
+
+/// Computes what is missing, as a runner does, and counts it.
+std::size_t run_missing(ResultWriter& writer, const Header& header, const Tasks& tasks) {
+  std::size_t computed = 0;
+  for (const auto& [cell, block] : tasks) {
+    if (writer.contains(cell, block)) continue;
+    add(writer, header, cell, block);
+    ++computed;
+  }
+  return computed;
+}
+
+std::string digest_of_plain_run(const fs::path& path) {
+  const Header header = test::sample_header();
+  ResultWriter writer(path, header);
+  run_missing(writer, header, test::sample_tasks(header));
+  writer.seal({});
+  return data_digest(path);
+}
+
+fs::path parts_of(const fs::path& path) {
+  return path.string() + ".parts";
+}
+
+fs::path first_part(const fs::path& path) {
+  return *fs::directory_iterator(parts_of(path));
+}
+
+/// Adds the first half of the tasks as two parts and stops.
+void run_half(const fs::path& path, const Header& header, const Tasks& tasks) {
+  ResultWriter writer(path, header);
+  for (std::size_t i = 0; i < tasks.size() / 2; ++i) {
+    add(writer, header, tasks[i].first, tasks[i].second);
+    if (i == tasks.size() / 4) writer.flush();
+  }
+}
+
+/// Changes one bit of the first place where a value stands in a file.
+void damage(const fs::path& path, double value) {
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  const std::string content{std::istreambuf_iterator<char>(file), {}};
+  std::string bytes(sizeof value, '\0');
+  std::memcpy(bytes.data(), &value, sizeof value);
+  const std::size_t place = content.find(bytes);
+  REQUIRE(place != std::string::npos);
+  file.seekp(static_cast<std::streamoff>(place));
+  file.put(static_cast<char>(content[place] ^ 1));
+}
+
+double some_value(const Header& header) {
+  return test::sample_block(header, 0, 0).take_columns().back().metrics[2][3];
+}
+
+}  // namespace
+
+TEST_CASE("a result has the same data for any order of blocks, any parts and any number of threads") {
+  const test::ScratchFolder folder;
+  const Header header = test::sample_header();
+  const std::string reference = digest_of_plain_run(folder / "reference.h5");
+  const fs::path path = folder / "other.h5";
+
+  SECTION("shuffled, in several parts") {
+    Tasks tasks = test::sample_tasks(header);
+    std::shuffle(tasks.begin(), tasks.end(), std::mt19937(3));
+    ResultWriter writer(path, header);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      add(writer, header, tasks[i].first, tasks[i].second);
+      if (i % 4 == 0) writer.flush();
+    }
+    writer.seal({});
+  }
+  SECTION("by two threads") {
+    const Tasks tasks = test::sample_tasks(header);
+    ResultWriter writer(path, header);
+    const auto work = [&](std::size_t first) {
+      for (std::size_t i = first; i < tasks.size(); i += 2) {
+        add(writer, header, tasks[i].first, tasks[i].second);
+        if (i % 5 == 0) writer.flush();
+      }
+    };
+    std::thread other(work, 1);
+    work(0);
+    other.join();
+    writer.seal({});
+  }
+  CHECK(data_digest(path) == reference);
+  CHECK(sealed_digest(path) == reference);
+  CHECK_FALSE(fs::exists(parts_of(path)));
+}
+
+TEST_CASE("a stopped run is taken over by the next one") {
+  const test::ScratchFolder folder;
+  const Header header = test::sample_header();
+  Tasks tasks = test::sample_tasks(header);
+  std::shuffle(tasks.begin(), tasks.end(), std::mt19937(4));
+  const fs::path path = folder / "result.h5";
+  run_half(path, header, tasks);
+  CHECK_FALSE(fs::exists(path));
+
+  ResultWriter writer(path, header);
+  CHECK(writer.warnings().empty());
+  CHECK(writer.adopted_blocks() == tasks.size() / 2);
+  CHECK(run_missing(writer, header, tasks) == tasks.size() - tasks.size() / 2);
+  writer.seal({});
+  CHECK(data_digest(path) == digest_of_plain_run(folder / "reference.h5"));
+}
+
+TEST_CASE("a killed run loses its unfinished part alone and leaves no trace") {
+  const test::ScratchFolder folder;
+  const Header header = test::sample_header();
+  const Tasks tasks = test::sample_tasks(header);
+  const fs::path path = folder / "result.h5";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ResultWriter writer(path, header);
+    for (std::size_t i = 0; i < 10; ++i) {
+      add(writer, header, tasks[i].first, tasks[i].second);
+      if (i == 6) writer.flush();
+    }
+    std::ofstream(parts_of(path) / "part-000001.h5.tmp") << "half a part";
+    ::_exit(0);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  REQUIRE(status == 0);
+
+  ResultWriter writer(path, header);
+  CHECK_FALSE(fs::exists(parts_of(path) / "part-000001.h5.tmp"));
+  CHECK(writer.adopted_blocks() == 7);
+  run_missing(writer, header, tasks);
+  writer.seal({});
+  CHECK(data_digest(path) == digest_of_plain_run(folder / "reference.h5"));
+  CHECK_FALSE(fs::exists(parts_of(path)));
+}
+
+TEST_CASE("a full disk is an error like any other, and the finished parts stay") {
+  const test::ScratchFolder folder;
+  const Header header = test::sample_header();
+  const Tasks tasks = test::sample_tasks(header);
+  const fs::path path = folder / "result.h5";
+  std::fflush(nullptr);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    // A limit on the size of files fails writes as a full disk does. The child leaves by exit(), as a program
+    // would: that HDF5 does not crash on the way out is part of the test.
+    std::signal(SIGXFSZ, SIG_IGN);
+    const std::string message = test::message_of([&] {
+      ResultWriter writer(path, header);
+      add(writer, header, tasks[0].first, tasks[0].second);
+      writer.flush();
+      const rlimit limit{fs::file_size(first_part(path)) + 4096, RLIM_INFINITY};
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      for (std::size_t i = 1; i < tasks.size(); ++i) add(writer, header, tasks[i].first, tasks[i].second);
+      writer.seal({});
+    });
+    std::exit(test::lacking(message, {"cannot write", "part-000001.h5", "File too large"}).empty() ? 0 : 1);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  REQUIRE(status == 0);
+
+  ResultWriter writer(path, header);
+  CHECK(writer.warnings().empty());
+  CHECK(writer.adopted_blocks() == 1);
+  run_missing(writer, header, tasks);
+  writer.seal({});
+  CHECK(data_digest(path) == digest_of_plain_run(folder / "reference.h5"));
+}
+
+TEST_CASE("a damaged part is reported and its blocks are computed again") {
+  const test::ScratchFolder folder;
+  const Header header = test::sample_header();
+  const Tasks tasks = test::sample_tasks(header);
+  const fs::path path = folder / "result.h5";
+  {
+    ResultWriter writer(path, header);
+    for (std::size_t i = 0; i < 5; ++i) add(writer, header, tasks[i].first, tasks[i].second);
+  }
+  SECTION("a bit of a value has changed") {
+    damage(first_part(path), some_value(header));
+  }
+  SECTION("a bit of HDF5's own bookkeeping has changed") {
+    std::fstream file(first_part(path), std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(100);
+    file.put('\xff');
+  }
+  SECTION("the file was cut short") {
+    fs::resize_file(first_part(path), fs::file_size(first_part(path)) / 2);
+  }
+  SECTION("the file is empty") {
+    fs::resize_file(first_part(path), 0);
+  }
+
+  ResultWriter writer(path, header);
+  REQUIRE(writer.warnings().size() == 1);
+  CHECK(test::lacking(writer.warnings()[0], {"part-000000.h5", "computed again"}) == "");
+  CHECK(writer.adopted_blocks() == 0);
+  CHECK(run_missing(writer, header, tasks) == tasks.size());
+  writer.seal({});
+  CHECK(data_digest(path) == digest_of_plain_run(folder / "reference.h5"));
+  CHECK_FALSE(fs::exists(parts_of(path)));
+}
+
+TEST_CASE("a part that is damaged during the run stops the seal and keeps the others") {
+  const test::ScratchFolder folder;
+  const Header header = test::sample_header();
+  const fs::path path = folder / "result.h5";
+  {
+    ResultWriter writer(path, header);
+    add(writer, header, 0, 0);
+    writer.flush();
+    add(writer, header, 1, 0);
+    damage(parts_of(path) / "part-000000.h5", some_value(header));
+    CHECK_THROWS_AS(writer.seal({}), core::IoError);
+    CHECK_FALSE(fs::exists(path));
+  }
+  CHECK(ResultWriter(path, header).adopted_blocks() == 1);
+}
+
+TEST_CASE("parts of another study, experiment or instruction set are refused") {
+  const test::ScratchFolder folder;
+  const Header header = test::sample_header();
+  const fs::path path = folder / "result.h5";
+  run_half(path, header, test::sample_tasks(header));
+  Header other = header;
+  std::string reason;
+  SECTION("study") {
+    other.study_toml += "trials = 9\n";
+    reason = "another study";
+  }
+  SECTION("experiment") {
+    ++other.experiment_version;
+    reason = "version 3 of the experiment";
+  }
+  SECTION("instruction set") {
+    other.isa = "avx2";
+    reason = "--isa baseline";
+  }
+  CHECK_THROWS_AS(ResultWriter(path, other), core::InputError);
+  const std::string message = test::message_of([&] { ResultWriter(path, other); });
+  CHECK(test::lacking(message, {parts_of(path).string(), reason}) == "");
+  CHECK(ResultWriter(path, header).adopted_blocks() > 0);
+}
+
+TEST_CASE("a writer that took no trial leaves nothing behind") {
+  const test::ScratchFolder folder;
+  { const ResultWriter writer(folder / "result.h5", test::sample_header()); }
+  CHECK(fs::is_empty(folder.path()));
+  CHECK_THROWS_AS(ResultWriter(folder / "no/result.h5", test::sample_header()), core::InputError);
+  CHECK(fs::is_empty(folder.path()));
+}
+
+TEST_CASE("two runs cannot write the same result at once") {
+  const test::ScratchFolder folder;
+  const ResultWriter writer(folder / "result.h5", test::sample_header());
+  const std::string message =
+      test::message_of([&] { ResultWriter(folder / "result.h5", test::sample_header()); });
+  CHECK(test::lacking(message, {"another run is writing"}) == "");
+}
