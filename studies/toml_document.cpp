@@ -73,10 +73,15 @@ void apply_override(toml::table& document, const std::string& text) {
   });
 }
 
+/// A value as messages quote it: on one line, shortened where it is long.
 std::string text_of(const toml::node& node) {
+  constexpr std::size_t longest = 60;
   std::ostringstream out;
   node.visit([&](const auto& concrete) { out << concrete; });
-  return out.str();
+  std::istringstream words(out.str());
+  std::string text;
+  for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word;
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
 /// A finite number, whole or not.

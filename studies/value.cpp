@@ -54,7 +54,7 @@ std::string accepted(const Setting& s) {
     case Kind::Choice:
       return fmt::format("one of: {}", fmt::join(s.choices, ", "));
     case Kind::Range:
-      return fmt::format("two numbers [low, high], low < high, from {} to {}", s.low, s.high);
+      return fmt::format("two numbers [low, high], low <= high, from {} to {}", s.low, s.high);
   }
   return {};
 }

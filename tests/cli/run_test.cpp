@@ -1,0 +1,144 @@
+#include <algorithm>
+
+#include "catch.hpp"
+#include "results/result_file.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace ridgeloc;
+using namespace ridgeloc::tests;
+
+namespace {
+
+const std::string small = R"(experiment = "ranging"
+trials = 50
+[sweep]
+points = [3, 5]
+[[method]]
+solver = "rrr"
+[[method]]
+solver = "ols"
+[[figure]]
+x = "points"
+y = "error_all_m"
+group = "method"
+)";
+
+std::size_t lines(const std::string& text) { return static_cast<std::size_t>(std::ranges::count(text, '\n')); }
+
+}  // namespace
+
+TEST_CASE("run writes one result, prints its path, and does nothing the second time") {
+  const WorkingFolder folder;
+  folder.write("small.toml", small);
+  const Outcome first = folder.ridgeloc("run small.toml");
+  CHECK(first.exit_code == 0);
+  CHECK(first.out == "small.h5\n");
+  CHECK(folder.entries() == std::vector<std::string>{"small.h5", "small.toml"});
+  const Outcome second = folder.ridgeloc("run small.toml");
+  CHECK(second.exit_code == 0);
+  CHECK(second.error.find("complete already") != std::string::npos);
+}
+
+TEST_CASE("a result of another study is never overwritten") {
+  const WorkingFolder folder;
+  folder.write("small.toml", small);
+  REQUIRE(folder.ridgeloc("run small.toml").exit_code == 0);
+  const std::string before = folder.read("small.h5");
+  for (const char* change : {"--trials 60", "--seed 3", "--set noise.range_sigma_m=0.2"}) {
+    const Outcome outcome = folder.ridgeloc(std::string("run small.toml ") + change);
+    CHECK(outcome.exit_code == 2);
+    CHECK(lines(outcome.error) == 1);
+    CHECK(outcome.error.find("small.h5: holds") != std::string::npos);
+  }
+  CHECK(folder.read("small.h5") == before);
+}
+
+TEST_CASE("several studies go to a folder, which is made") {
+  const WorkingFolder folder;
+  folder.write("a.toml", small);
+  folder.write("b.toml", small);
+  const Outcome outcome = folder.ridgeloc("run a.toml b.toml -o out");
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out == "out/a.h5\nout/b.h5\n");
+  CHECK(folder.has("out/b.h5"));
+  CHECK(folder.ridgeloc("run a.toml ./a.toml -o other").exit_code == 2);
+  CHECK_FALSE(folder.has("other"));
+}
+
+TEST_CASE("threads change nothing in the data; trials, seed and settings do") {
+  const WorkingFolder folder;
+  folder.write("small.toml", small);
+  const auto digest = [&](const std::string& options) {
+    REQUIRE(folder.ridgeloc("run small.toml -o x.h5 " + options).exit_code == 0);
+    const std::string value = results::data_digest(folder.path() / "x.h5");
+    REQUIRE(folder.shell("rm x.h5").exit_code == 0);
+    return value;
+  };
+  const std::string one = digest("--trials 9000 --threads 1");
+  CHECK(digest("--trials 9e3 --threads 2") == one);
+  CHECK(digest("--trials 9000 --threads 5") == one);
+  CHECK(digest("--trials 9000 --seed 1") != one);
+  CHECK(digest("--trials 9000 --set scene.depth_m=[2,15]") != one);
+}
+
+TEST_CASE("bad input is one line on standard error, exit code 2, and no file") {
+  const WorkingFolder folder;
+  folder.write("small.toml", small);
+  folder.write("broken.toml", "[");
+  folder.write("typo.toml", "experiment = \"ranging\"\n[scene]\npionts = 3\n[[method]]\nsolver = \"rr\"\n");
+  folder.write("empty.toml", "experiment = \"ranging\"\n[sweep]\npoints = []\n[[method]]\nsolver = \"rr\"\n");
+  folder.write("type.toml", "experiment = \"ranging\"\ntrials = \"ten\"\n[[method]]\nsolver = \"rr\"\n");
+  folder.write("range.toml", "experiment = \"ranging\"\n[scene]\npoints = 2\n[[method]]\nsolver = \"rr\"\n");
+  folder.write("not_a_folder", "");
+  const auto before = folder.entries();
+  const auto [arguments, message] = GENERATE(table<std::string, std::string>({
+      {"run broken.toml", "broken.toml:1: not valid TOML"},
+      {"run typo.toml", "typo.toml:3: unknown key \"pionts\" in [scene] (did you mean \"points\"?)"},
+      {"run empty.toml", "empty.toml:3: sweep.points is an empty list"},
+      {"run type.toml", "type.toml:2: trials = 'ten' is not allowed"},
+      {"run range.toml", "range.toml:3: scene.points = 2 is not allowed: scene.points takes a whole number from 3 to 1000"},
+      {"run missing.toml", "missing.toml: no such study file"},
+      {"run fig3", "did you mean \"fig3a\"?"},
+      {"run small.toml -o nowhere/x.h5", "nowhere"},
+      {"run small.toml -o not_a_folder/x.h5", "not_a_folder"},
+      {"run small.toml typo.toml -o out/", "typo.toml:3"},
+      {"run small.toml --threads 0", "--threads"},
+      {"run small.toml --trials none", "trials"},
+      {"run small.toml --trials 0", "trials = 0 is not allowed"},
+      {"run small.toml --set", "--set"},
+      {"run small.toml --set scene.depth=1", "did you mean \"depth_m\"?"},
+      {"run", "STUDY"},
+      {"rnu", "rnu"},
+      {"", "subcommand"},
+      {"list solver", "solver"},
+      {"new rangin", "rangin"},
+      {"summary missing.h5", "missing.h5"},
+      {"summary small.toml", "small.toml"},
+      {"export missing.h5", "missing.h5"},
+      {"plot missing.h5", "missing.h5"},
+      {"plan missing.toml", "missing.toml"},
+  }));
+  INFO("ridgeloc " << arguments);
+  const Outcome outcome = folder.ridgeloc(arguments);
+  INFO(outcome.error);
+  CHECK(outcome.exit_code == 2);
+  CHECK(lines(outcome.error) == 1);
+  CHECK(outcome.error.find(message) != std::string::npos);
+  CHECK(outcome.out.empty());
+  CHECK(folder.entries() == before);
+}
+
+TEST_CASE("a run stopped by a signal says how to go on, and goes on to the same bytes") {
+  const WorkingFolder folder;
+  folder.write("small.toml", small);
+  REQUIRE(folder.ridgeloc("run small.toml --trials 400000 -o whole.h5").exit_code == 0);
+  const Outcome stopped = folder.shell("'" RIDGELOC_PROGRAM "' run small.toml --trials 400000 --threads 1 & "
+                                       "pid=$!; while ! ls small.h5.parts 2>/dev/null; do :; done; "
+                                       "kill -TERM $pid; wait $pid");
+  REQUIRE(stopped.exit_code == 4);
+  CHECK(stopped.error.find("The same command goes on from there") != std::string::npos);
+  CHECK_FALSE(folder.has("small.h5"));
+  CHECK(folder.ridgeloc("run small.toml --trials 400000").exit_code == 0);
+  CHECK(results::data_digest(folder.path() / "small.h5") == results::data_digest(folder.path() / "whole.h5"));
+  CHECK_FALSE(folder.has("small.h5.parts"));
+}

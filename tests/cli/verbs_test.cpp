@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <sstream>
+
+#include "catch.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace ridgeloc::tests;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// A folder with the result of a small study with two figures.
+struct WithResult : WorkingFolder {
+  WithResult() {
+    write("study.toml", R"(title = "A small study"
+experiment = "ranging"
+trials = 40
+[sweep]
+points = [3, 5]
+range_sigma_m = [0.1, 0.3]
+[[method]]
+solver = "rrr"
+[[method]]
+solver = "lm"
+[[figure]]
+x = "points"
+y = "error_all_m"
+group = ["method", "range_sigma_m"]
+[[figure]]
+name = "rate"
+x = "points"
+y = "converged"
+group = "range_sigma_m"
+facet = "method"
+methods = ["rrr", "lm"]
+)");
+    REQUIRE(ridgeloc("run study.toml -o result.h5").exit_code == 0);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("list names what there is") {
+  const WorkingFolder folder;
+  const std::string all = folder.ridgeloc("list").out;
+  for (const char* name : {"ols", "rrr", "kibria_gm", "oracle_elem", "normal", "eta_first", "converged", "ranging", "fig3a",
+                           "fig3bcd"}) {
+    CHECK(contains(all, name));
+  }
+  CHECK(lines_of(folder.ridgeloc("list solvers").out).size() == 4);
+  CHECK(contains(folder.ridgeloc("list studies").out, "fig3a    Fig. 3a: similarity of estimated and true K"));
+}
+
+TEST_CASE("new makes a study that runs") {
+  const WorkingFolder folder;
+  REQUIRE(folder.ridgeloc("new ranging -o mine.toml").exit_code == 0);
+  CHECK(folder.ridgeloc("new ranging").out == folder.read("mine.toml"));
+  CHECK(folder.ridgeloc("new ranging -o mine.toml").exit_code == 2);
+  CHECK(folder.ridgeloc("run mine.toml --trials 20").exit_code == 0);
+  CHECK(folder.has("mine.h5"));
+}
+
+TEST_CASE("plan says what a study amounts to, and writes nothing") {
+  const WorkingFolder folder;
+  const auto outcome = folder.ridgeloc("plan fig3a --trials 1e6 --threads 2");
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(contains(outcome.out, "cells    15\n"));
+  CHECK(contains(outcome.out, "trials   15000000 (1000000 per cell)"));
+  CHECK(contains(outcome.out, "blocks   3675 (245 per cell of 4096 trials)"));
+  CHECK(contains(outcome.out, "on 2 threads"));
+  CHECK(folder.entries().empty());
+}
+
+TEST_CASE("summary shows every cell, method and failure with its error") {
+  const WithResult folder;
+  const auto outcome = folder.ridgeloc("summary result.h5");
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(contains(outcome.out, "A small study"));
+  CHECK(contains(outcome.out, "points = 5, range_sigma_m = 0.3: lm"));
+  CHECK(contains(outcome.out, "singular"));
+  CHECK(contains(outcome.out, "crb_m"));
+}
+
+TEST_CASE("export writes the long form, a row per cell, method and metric") {
+  const WithResult folder;
+  const auto lines = lines_of(folder.ridgeloc("export result.h5 --csv").out);
+  // 4 cells; rrr: 7 metrics and 7 events, lm: 4 (no K) and 7, scene: 2.
+  REQUIRE(lines.size() == 1 + 4 * (14 + 11 + 2));
+  CHECK(lines[0].starts_with("points,range_sigma_m,method,metric,unit,n,mean,mcse,sd,min,p05,p25,p50,p75,p95,max,lo,hi,trusted"));
+  CHECK(lines[1].starts_with("3,0.1,rrr,error_m,m,"));
+  REQUIRE(folder.ridgeloc("export result.h5 -o table.csv").exit_code == 0);
+  CHECK(lines_of(folder.read("table.csv")) == lines);
+}
+
+TEST_CASE("export writes a row per trial with every metric") {
+  const WithResult folder;
+  const auto lines = lines_of(folder.ridgeloc("export result.h5 --trials").out);
+  REQUIRE(lines.size() == 1 + 4 * 3 * 40);
+  CHECK(lines[0] ==
+        "points,range_sigma_m,trial,method,status,error_m,error_all_m,iterations,eta_first,eta_last,eta_mean,"
+        "residual_rms_m,crb_m,gdop");
+  CHECK(lines[1].starts_with("3,0.1,0,rrr,"));
+  CHECK(lines[40].starts_with("3,0.1,39,rrr,"));
+  CHECK(lines[41].starts_with("3,0.1,0,lm,"));
+}
+
+TEST_CASE("plot draws all figures, or one, in the formats asked for") {
+  const WithResult folder;
+  const auto all = folder.ridgeloc("plot result.h5 --format svg --format pdf");
+  CHECK(all.exit_code == 0);
+  CHECK(lines_of(all.out) == std::vector<std::string>{"study.svg", "study.pdf", "rate.svg", "rate.pdf"});
+  CHECK(contains(folder.read("study.svg"), "<svg"));
+  CHECK(folder.read("rate.pdf").starts_with("%PDF"));
+  CHECK(folder.ridgeloc("plot result.h5 --figure rate -o picture.png").exit_code == 0);
+  CHECK(folder.read("picture.png").starts_with("\x89PNG"));
+
+  CHECK(folder.ridgeloc("plot result.h5 -o both.svg").exit_code == 2);
+  CHECK(folder.ridgeloc("plot result.h5 --figure rat").exit_code == 2);
+  CHECK(folder.ridgeloc("plot result.h5 --figure rate -o picture.jpg").exit_code == 2);
+  CHECK(folder.ridgeloc("plot result.h5 -o nowhere/").exit_code == 2);
+  CHECK_FALSE(folder.has("nowhere"));
+}
+
+TEST_CASE("help and version are on standard output") {
+  const WorkingFolder folder;
+  CHECK(contains(folder.ridgeloc("--help").out, "Exit codes"));
+  CHECK(contains(folder.ridgeloc("run --help").out, "--threads"));
+  CHECK(folder.ridgeloc("--version").out.starts_with("ridgeloc 0."));
+}
+
+TEST_CASE("a full disk under standard output is an I/O failure") {
+  const WithResult folder;
+  const auto outcome = folder.shell("'" RIDGELOC_PROGRAM "' export result.h5 > /dev/full");
+  CHECK(outcome.exit_code == 3);
+  CHECK(lines_of(outcome.error).size() == 1);
+}
