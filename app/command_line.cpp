@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@
 #include "core/error.hpp"
 #include "studies/experiment.hpp"
 #include "studies/listing.hpp"
+#include "studies/value.hpp"
 
 namespace ridgeloc::app {
 
@@ -113,6 +115,7 @@ class CommandLine {
   }
 
   int run_verb(int argc, char** argv) {
+    check_verb(argc, argv);
     try {
       app_.parse(argc, argv);
     } catch (const CLI::CallForHelp& help) {
@@ -127,6 +130,17 @@ class CommandLine {
   }
 
  private:
+  /// The library would only say that a verb is missing; a misspelt one deserves its neighbour's name.
+  void check_verb(int argc, char** argv) const {
+    std::vector<std::string> names;
+    for (const CLI::App* sub : app_.get_subcommands({})) names.push_back(sub->get_name());
+    if (argc < 2 || argv[1][0] == '-' || std::ranges::find(names, argv[1]) != names.end()) return;
+    const std::string nearest = studies::nearest_name(argv[1], names);
+    throw core::InputError(fmt::format("unknown verb \"{}\"{} (verbs: {})", argv[1],
+                                       nearest.empty() ? "" : fmt::format(", did you mean \"{}\"?", nearest),
+                                       fmt::join(names, ", ")));
+  }
+
   CLI::App& verb(const char* name, const char* description, std::function<int()> action) {
     CLI::App* sub = app_.add_subcommand(name, description);
     sub->final_callback([this, action = std::move(action)] { action_ = action; });

@@ -11,6 +11,10 @@
 namespace ridgeloc::results {
 namespace {
 
+/// The yes-or-no properties of metrics and where they are stored.
+constexpr std::pair<const char*, bool MetricInfo::*> metric_flags[] = {
+    {"/metrics/heavy_tailed", &MetricInfo::heavy_tailed}, {"/metrics/whole_numbers", &MetricInfo::whole_numbers}};
+
 // The kinds of a factor value in /axes/<i>/kind: the position of its type in FactorValue.
 static_assert(std::is_same_v<FactorValue, std::variant<std::int64_t, double, std::string>>);
 
@@ -127,9 +131,11 @@ void write_schema(hdf5::File& file, const Header& header) {
   write_column(file, "/metrics/name", header.schema.metrics, &MetricInfo::name);
   write_column(file, "/metrics/unit", header.schema.metrics, &MetricInfo::unit);
   write_column(file, "/metrics/description", header.schema.metrics, &MetricInfo::description);
-  std::vector<std::uint8_t> heavy;
-  for (const MetricInfo& metric : header.schema.metrics) heavy.push_back(metric.heavy_tailed ? 1 : 0);
-  file.write("/metrics/heavy_tailed", heavy);
+  for (const auto& [path, flag] : metric_flags) {
+    std::vector<std::uint8_t> values;
+    for (const MetricInfo& metric : header.schema.metrics) values.push_back(metric.*flag ? 1 : 0);
+    file.write(path, values);
+  }
   file.create_group("/events");
   write_column(file, "/events/name", header.schema.events, &EventInfo::name);
   write_column(file, "/events/description", header.schema.events, &EventInfo::description);
@@ -143,9 +149,11 @@ void read_schema(const hdf5::File& file, Header& header) {
   read_column(file, "/metrics/name", header.schema.metrics, &MetricInfo::name);
   read_column(file, "/metrics/unit", header.schema.metrics, &MetricInfo::unit);
   read_column(file, "/metrics/description", header.schema.metrics, &MetricInfo::description);
-  const auto heavy = file.read<std::uint8_t>("/metrics/heavy_tailed");
-  require(heavy.size() == header.schema.metrics.size(), file, "the datasets of /metrics differ in length");
-  for (std::size_t m = 0; m < heavy.size(); ++m) header.schema.metrics[m].heavy_tailed = heavy[m] != 0;
+  for (const auto& [path, flag] : metric_flags) {
+    const auto values = file.read<std::uint8_t>(path);
+    require(values.size() == header.schema.metrics.size(), file, "the datasets of /metrics differ in length");
+    for (std::size_t m = 0; m < values.size(); ++m) header.schema.metrics[m].*flag = values[m] != 0;
+  }
   read_column(file, "/events/name", header.schema.events, &EventInfo::name);
   read_column(file, "/events/description", header.schema.events, &EventInfo::description);
   header.schema.statuses = file.number_attribute("/events", "statuses");

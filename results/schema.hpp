@@ -40,6 +40,7 @@ struct MetricInfo {
   std::string unit;
   std::string description;
   bool heavy_tailed = false;  ///< tables and figures lead with the median, not the mean
+  bool whole_numbers = false; ///< values are counts: quantiles are whole numbers too
 };
 
 /// A yes-or-no outcome per trial and method; its rate is reported.

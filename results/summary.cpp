@@ -46,12 +46,15 @@ void fill_moments(SummaryRow& row, const MetricStatistics& metric) {
                 variance_of_variance(moments) <= largest_variance_of_variance;
 }
 
-void fill_quantiles(SummaryRow& row, const MetricStatistics& metric) {
+void fill_quantiles(SummaryRow& row, const MetricInfo& info, const MetricStatistics& metric) {
   if (row.n == 0) return;
   row.min = metric.min;
   row.max = metric.max;
   if (metric.min < 0.0) return;
-  const auto within = [&](double value) { return std::clamp(value, metric.min, metric.max); };
+  // Within a bin a quantile is interpolated; of counts only the whole number in the bin can be meant.
+  const auto within = [&](double value) {
+    return std::clamp(info.whole_numbers ? std::floor(value) : value, metric.min, metric.max);
+  };
   row.p05 = within(metric.histogram.quantile(0.05));
   row.p25 = within(metric.histogram.quantile(0.25));
   row.p50 = within(metric.histogram.quantile(0.50));
@@ -68,7 +71,7 @@ SummaryRow metric_row(std::size_t cell, std::size_t method, const MetricInfo& in
   row.n = metric.moments.n + metric.beyond;
   row.beyond = metric.beyond;
   fill_moments(row, metric);
-  fill_quantiles(row, metric);
+  fill_quantiles(row, info, metric);
   return row;
 }
 

@@ -108,7 +108,7 @@ TEST_CASE("bad input is one line on standard error, exit code 2, and no file") {
       {"run small.toml --set", "--set"},
       {"run small.toml --set scene.depth=1", "did you mean \"depth_m\"?"},
       {"run", "STUDY"},
-      {"rnu", "rnu"},
+      {"rnu", "unknown verb \"rnu\", did you mean \"run\"?"},
       {"", "subcommand"},
       {"list solver", "solver"},
       {"new rangin", "rangin"},

@@ -45,6 +45,7 @@ TEST_CASE("a sealed result gives back its header") {
     CHECK(read.schema.metrics[m].unit == header.schema.metrics[m].unit);
     CHECK(read.schema.metrics[m].description == header.schema.metrics[m].description);
     CHECK(read.schema.metrics[m].heavy_tailed == header.schema.metrics[m].heavy_tailed);
+    CHECK(read.schema.metrics[m].whole_numbers == header.schema.metrics[m].whole_numbers);
   }
   REQUIRE(read.schema.events.size() == header.schema.events.size());
   CHECK(read.schema.events[2].name == "diverged");

@@ -76,7 +76,7 @@ inline Header sample_header() {
   header.block_trials = sample_block_trials;
   header.trial_column_blocks = 3;
   header.schema.metrics = {{"error_m", "m", "position error", true},
-                           {"iterations", "1", "steps taken", false},
+                           {"iterations", "1", "steps taken", false, true},
                            {"crb_m", "m", "Cramér-Rao bound", false}};
   header.schema.events = {{"not_run", "no solver ran"},
                           {"converged", "the step was short"},

@@ -25,9 +25,9 @@ const SummaryRow& row_of(const std::vector<SummaryRow>& rows, std::size_t cell, 
 }
 
 /// One cell and one method with a single metric.
-SummaryRow row_of_values(const std::vector<double>& values) {
+SummaryRow row_of_values(const std::vector<double>& values, bool whole_numbers = false) {
   Summary summary;
-  summary.header.schema.metrics = {{"m", "m", "", false}};
+  summary.header.schema.metrics = {{"m", "m", "", false, whole_numbers}};
   summary.header.cells = {{"cell", {}}};
   summary.header.methods = {{"rr", "", ""}};
   Statistics statistics;
@@ -35,6 +35,14 @@ SummaryRow row_of_values(const std::vector<double>& values) {
   statistics.metrics = {statistics_of(values)};
   summary.statistics = {statistics};
   return summary_rows(summary).at(0);
+}
+
+TEST_CASE("quantiles of counts are whole numbers") {
+  const SummaryRow row = row_of_values({3, 6, 6, 6, 7, 7, 9, 9, 9, 30, 30}, true);
+  CHECK(row.p25 == 6.0);
+  CHECK(row.p50 == 7.0);
+  CHECK(row.p75 == 9.0);
+  CHECK(row.p50_lo == std::floor(row.p50_lo));
 }
 
 TEST_CASE("rows come by cell, method, metric, with the events last") {

@@ -81,8 +81,8 @@ Agreement compare_with_ceres(const char* solver, std::size_t trials, std::size_t
   return a;
 }
 
-StepAtMinimizer step_at_minimizer(const char* solver, const char* k, std::size_t trials, std::size_t points,
-                                  double sigma_m) {
+std::vector<StepAtMinimizer> steps_at_minimizer(const char* solver, std::size_t trials, std::size_t points,
+                                                double sigma_m) {
   const bool robust = std::string_view(solver) == "rrr";
   const auto loss = robust ? solvers::ReferenceLoss::HuberTheta : solvers::ReferenceLoss::WeightedSquares;
   core::ProblemBatch problems = scenes(trials, points, sigma_m);
@@ -95,27 +95,32 @@ StepAtMinimizer step_at_minimizer(const char* solver, const char* k, std::size_t
   core::Oracle oracle;
   for (auto& axis : oracle.truth) axis = origin;
   oracle.range_sigma_m = sigma_m;
-  auto options = steps(1);
-  options.k = k_index(k);
-  options.k_fixed = 0.1;
-  const auto s = solve(solver, problems, options, &oracle);
 
-  StepAtMinimizer result;
-  result.trials = trials;
-  for (std::size_t t = 0; t < trials; ++t) {
-    if (!minimizers[t].converged) continue;
-    ++result.reference;
-    if (status(s, t) == core::Status::Singular) {
-      ++result.singular;
-      continue;
+  std::vector<StepAtMinimizer> results;
+  for (const auto& estimator : solvers::k_estimator_registry()) {
+    StepAtMinimizer result;
+    result.k = estimator.name;
+    result.trials = trials;
+    auto options = steps(1);
+    options.k = *solvers::find_k_estimator(estimator.name);
+    options.k_fixed = 0.1;
+    const auto s = solve(solver, problems, options, &oracle);
+    for (std::size_t t = 0; t < trials; ++t) {
+      if (!minimizers[t].converged) continue;
+      ++result.reference;
+      if (status(s, t) == core::Status::Singular) {
+        ++result.singular;
+        continue;
+      }
+      const double step = distance(estimate(s, t), minimizers[t].estimate);
+      const double bound = solvers::gradient_rounding_bound(problems, t, minimizers[t].estimate, loss, theta_m) /
+                           eigenvalues(problems, t, minimizers[t].estimate, robust)(0);
+      result.largest_step_m = std::max(result.largest_step_m, step);
+      result.largest_ratio = std::max(result.largest_ratio, step / bound);
     }
-    const double step = distance(estimate(s, t), minimizers[t].estimate);
-    const double bound = solvers::gradient_rounding_bound(problems, t, minimizers[t].estimate, loss, theta_m) /
-                         eigenvalues(problems, t, minimizers[t].estimate, robust)(0);
-    result.largest_step_m = std::max(result.largest_step_m, step);
-    result.largest_ratio = std::max(result.largest_ratio, step / bound);
+    results.push_back(result);
   }
-  return result;
+  return results;
 }
 
 }  // namespace ridgeloc::tests

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 namespace ridgeloc::tests {
 
@@ -18,13 +20,15 @@ Agreement compare_with_ceres(const char* solver, std::size_t trials, std::size_t
 
 /// The step that a ridge solver takes when it starts at Ceres' minimiser.
 struct StepAtMinimizer {
+  std::string k;
   std::size_t trials = 0;
   std::size_t reference = 0;     ///< with a converged reference
   std::size_t singular = 0;      ///< of these, where the solver finds J'WJ singular and takes no step
   double largest_step_m = 0.0;
   double largest_ratio = 0.0;    ///< step over the step that the gradient's rounding bound allows
 };
-StepAtMinimizer step_at_minimizer(const char* solver, const char* k, std::size_t trials, std::size_t points,
-                                  double sigma_m);
+/// One for every estimator of K.
+std::vector<StepAtMinimizer> steps_at_minimizer(const char* solver, std::size_t trials, std::size_t points,
+                                                double sigma_m);
 
 }  // namespace ridgeloc::tests

@@ -32,10 +32,10 @@ TEST_CASE("ols and lm, run to the end, meet the minimiser of Ceres") {
 TEST_CASE("rr and rrr stay where Ceres' minimiser is, whatever K") {
   const std::size_t points = GENERATE(3, 5, 7);
   for (const char* solver : {"rr", "rrr"}) {
-    for (const char* k : {"kibria_gm", "fixed", "oracle_elem", "oracle_gm"}) {
-      const StepAtMinimizer s = step_at_minimizer(solver, k, trials, points, 0.1);
-      std::printf("%s with %s, %zu points: %zu of %zu with reference, %zu singular there, largest step %.3g m, %.3g of what rounding allows\n",
-                  solver, k, points, s.reference, s.trials, s.singular, s.largest_step_m, s.largest_ratio);
+    for (const StepAtMinimizer& s : steps_at_minimizer(solver, trials, points, 0.1)) {
+      std::printf("%s with %s, %zu points: %zu of %zu with reference, %zu singular there, largest step %.3g m, %.3g of "
+                  "what rounding allows\n",
+                  solver, s.k.c_str(), points, s.reference, s.trials, s.singular, s.largest_step_m, s.largest_ratio);
       CHECK(s.largest_ratio <= 1.0);
       CHECK(s.reference > trials * 9 / 10);
       // Where three ranges have no common point, J'e = 0 with e != 0 needs a singular J: about one trial in eight.
