@@ -1,11 +1,13 @@
 #include "app/command_line.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
+#include <exception>
 #include <functional>
 #include <new>
 #include <string>
@@ -13,6 +15,7 @@
 
 #include "app/build_info.hpp"
 #include "app/exit_code.hpp"
+#include "app/output.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
 #include "studies/experiment.hpp"
@@ -24,6 +27,14 @@ namespace ridgeloc::app {
 namespace {
 
 constexpr int max_threads = 1024;
+
+/// One line on standard error, whatever the message quotes.
+int complain(std::string message, ExitCode code) {
+  std::ranges::replace_if(
+      message, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  fmt::print(stderr, "ridgeloc: {}\n", message);
+  return code;
+}
 
 /// "1e6" as TOML would have it, "1000000"; other texts unchanged, for the study reader to judge.
 std::string whole_number(const std::string& text) {
@@ -71,19 +82,20 @@ class CommandLine {
   CommandLine() {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", "ridgeloc " + build_provenance().program_version);
-    app_.footer("Exit codes: 0 done, 2 bad input, 3 reading or writing failed, 4 stopped by a signal (finished work kept).");
+    app_.footer(
+        "Exit codes: 0 done, 2 bad input, 3 reading or writing failed, 4 stopped by a signal (finished work kept).");
 
-    CLI::App& list_verb = verb("list", "what there is: solvers, K estimators, metrics, studies, ...",
-                               [this] { return list(list_); });
+    CLI::App& list_verb =
+        verb("list", "what there is: solvers, K estimators, metrics, studies, ...", [this] { return list(list_); });
     list_verb.add_option("TOPIC", list_.topic, "one topic only")->check(CLI::IsMember(studies::listing_topics()));
 
     CLI::App& new_verb = verb("new", "print a commented study file to start from", [this] { return new_study(new_); });
     new_verb.add_option("EXPERIMENT", new_.experiment)->required()->check(CLI::IsMember(experiment_names()));
     new_verb.add_option("-o", new_.output, "file to write")->type_name("FILE");
 
-    add_study_options(verb("plan", "cells, blocks, time and disk of a study, without running it",
-                           [this] { return plan(plan_); }),
-                      plan_);
+    add_study_options(
+        verb("plan", "cells, blocks, time and disk of a study, without running it", [this] { return plan(plan_); }),
+        plan_);
 
     CLI::App& run_verb = verb("run", "run studies; goes on where a stopped run of the same study left off",
                               [this] { return run(run_); });
@@ -123,8 +135,7 @@ class CommandLine {
     } catch (const CLI::CallForVersion& version) {
       return app_.exit(version);
     } catch (const CLI::ParseError& error) {
-      fmt::print(stderr, "ridgeloc: {} (see ridgeloc {}--help)\n", error.what(), chosen_name());
-      return BadInput;
+      return complain(fmt::format("{} (see ridgeloc {}--help)", error.what(), chosen_name()), BadInput);
     }
     return action_();
   }
@@ -166,17 +177,18 @@ class CommandLine {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
+  // A write beyond the file-size limit then fails like one to a full disk, instead of killing the program.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
-    return CommandLine().run_verb(argc, argv);
+    const int code = CommandLine().run_verb(argc, argv);
+    finish_standard_output();
+    return code;
   } catch (const core::InputError& error) {
-    fmt::print(stderr, "ridgeloc: {}\n", error.what());
-    return BadInput;
-  } catch (const core::IoError& error) {
-    fmt::print(stderr, "ridgeloc: {}\n", error.what());
-    return IoFailure;
+    return complain(error.what(), BadInput);
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "ridgeloc: out of memory; a smaller sweep or fewer threads needs less\n");
-    return IoFailure;
+    return complain("out of memory; a smaller sweep or fewer threads needs less", IoFailure);
+  } catch (const std::exception& error) {
+    return complain(error.what(), IoFailure);
   }
 }
 

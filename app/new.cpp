@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <ostream>
 
 #include "app/exit_code.hpp"
@@ -13,7 +12,7 @@ namespace ridgeloc::app {
 
 int new_study(const NewOptions& options) {
   const studies::Experiment& experiment = *studies::find_experiment(options.experiment);
-  if (!options.output.empty() && std::filesystem::exists(options.output)) {
+  if (!options.output.empty() && path_exists(options.output)) {
     throw core::InputError(options.output + ": exists already; choose another -o or remove it");
   }
   write_output(options.output, [&](std::ostream& out) { out << studies::template_toml(experiment); });

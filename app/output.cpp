@@ -1,27 +1,63 @@
 #include "app/output.hpp"
 
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <system_error>
 
 #include "core/error.hpp"
 #include "results/file_system.hpp"
 
 namespace ridgeloc::app {
 
+namespace fs = std::filesystem;
+
 void write_output(const std::string& path, const std::function<void(std::ostream&)>& write) {
   if (path.empty()) {
     write(std::cout);
-    std::cout.flush();
-    if (!std::cout) throw core::IoError("standard output cannot be written");
     return;
   }
-  results::require_writable(path);
-  results::TemporaryFile file(path);
-  std::ofstream out(file.path(), std::ios::binary);
-  write(out);
-  out.close();
-  if (!out) throw core::IoError(path + ": writing failed; is the disk full?");
+  std::error_code unknown;
+  const fs::path target = fs::is_symlink(path, unknown) ? fs::weakly_canonical(path, unknown) : fs::path(path);
+  const auto fill = [&](const fs::path& file) {
+    std::ofstream out(file, std::ios::binary);
+    write(out);
+    out.close();
+    if (!out) throw core::IoError(path + ": writing failed; is the disk full?");
+  };
+  if (fs::exists(target, unknown) && fs::is_other(target, unknown)) {
+    fill(target);
+    return;
+  }
+  results::require_writable(target);
+  results::TemporaryFile file(target);
+  fill(file.path());
   file.publish();
+}
+
+void require_folder(const fs::path& folder) {
+  std::error_code failure;
+  if (folder.empty() || fs::is_directory(folder, failure)) return;
+  fs::create_directory(folder, failure);
+  if (failure) {
+    throw core::InputError(
+        fmt::format("{}: this folder cannot be made ({}); choose another -o", folder.string(), failure.message()));
+  }
+}
+
+bool path_exists(const fs::path& path) {
+  std::error_code unknown;
+  return fs::exists(path, unknown);
+}
+
+void finish_standard_output() {
+  std::cout.flush();
+  const bool flushed = std::fflush(stdout) == 0;
+  if (!std::cout || !flushed || std::ferror(stdout) != 0) {
+    throw core::IoError("standard output cannot be written; is the disk full or the reader gone?");
+  }
 }
 
 }  // namespace ridgeloc::app

@@ -1,13 +1,24 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <iosfwd>
 #include <string>
 
 namespace ridgeloc::app {
 
-/// Writes text to standard output, or, where a path is given, to a file that appears complete or not at all.
-/// Throws core::InputError if the file cannot be written there, core::IoError if writing fails.
+/// Writes text to standard output, or, where a path is given, to a file that appears complete or not at all (a device
+/// or a pipe is written to as it is). Throws core::InputError if the file cannot be written there, core::IoError if
+/// writing fails.
 void write_output(const std::string& path, const std::function<void(std::ostream&)>& write);
+
+/// Makes a folder if it is not there; its parent must be. Throws core::InputError.
+void require_folder(const std::filesystem::path& folder);
+
+/// Whether a file or folder of that name is there; a name that cannot be asked for counts as absent.
+bool path_exists(const std::filesystem::path& path);
+
+/// Hands everything printed so far to the system. Throws core::IoError if some of it could not be written.
+void finish_standard_output();
 
 }  // namespace ridgeloc::app

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 #include "app/exit_code.hpp"
+#include "app/output.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
 #include "results/figure.hpp"
@@ -41,12 +43,14 @@ int plot(const PlotOptions& options) {
   const results::Summary summary = results::read_result(options.result);
   const auto figures = chosen_figures(summary.header, options);
   const fs::path output(options.output);
-  const bool one_file = output.has_extension() && !fs::is_directory(output);
+  std::error_code unknown;
+  const bool one_file = output.has_extension() && !fs::is_directory(output, unknown);
   if (one_file && (figures.size() > 1 || !options.formats.empty())) {
     throw core::InputError(fmt::format(
         "-o {}: names one file, but there are {} figures or a --format; name a folder, or one figure with --figure",
         options.output, figures.size()));
   }
+  if (!one_file) require_folder(output);
   std::vector<std::string> formats = options.formats;
   if (formats.empty()) formats = {"svg"};
   for (const results::FigureSpec& figure : figures) {

@@ -47,8 +47,8 @@ ProgressDisplay::ProgressDisplay(std::string name, const studies::RunProgress& p
         show(stop, name, progress, total_blocks);
       }) {}
 
-void ProgressDisplay::show(const std::stop_token& stop, const std::string& name,
-                           const studies::RunProgress& progress, std::uint64_t total_blocks) const {
+void ProgressDisplay::show(const std::stop_token& stop, const std::string& name, const studies::RunProgress& progress,
+                           std::uint64_t total_blocks) const {
   std::mutex mutex;
   std::condition_variable_any wake;
   std::unique_lock lock(mutex);

@@ -9,6 +9,7 @@
 #include "app/duration.hpp"
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
+#include "app/output.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
@@ -27,6 +28,7 @@ struct Job {
   studies::Study study;
   studies::Plan plan;
   fs::path output;
+  bool complete = false;  ///< the result is there already
 };
 
 /// Where the result of a study goes: -o names a file for one study, a folder for several.
@@ -34,19 +36,20 @@ fs::path output_path(const RunOptions& options, const std::string& study_name) {
   const fs::path given(options.output);
   const std::string file = study_name + ".h5";
   if (given.empty()) return file;
-  const bool folder = options.study.studies.size() > 1 || fs::is_directory(given) || !given.has_filename();
+  std::error_code unknown;
+  const bool folder = options.study.studies.size() > 1 || fs::is_directory(given, unknown) || !given.has_filename();
   return folder ? given / file : given;
 }
 
 /// Whether the result is there already. A result of another study is never overwritten.
 bool already_there(const Job& job) {
-  if (!fs::exists(job.output)) return false;
+  if (!path_exists(job.output)) return false;
   const results::Header header = results::read_result_header(job.output);
   if (header.study_toml == job.plan.header.study_toml) return true;
-  const std::string difference =
-      header.study_hash != job.plan.header.study_hash ? "another study" : "the same study with other trials, sweep, methods or figures";
-  throw core::InputError(
-      fmt::format("{}: holds {}; choose another -o or remove it", job.output.string(), difference));
+  const std::string difference = header.study_hash != job.plan.header.study_hash
+                                     ? "another study"
+                                     : "the same study with other trials, sweep, methods or figures";
+  throw core::InputError(fmt::format("{}: holds {}; choose another -o or remove it", job.output.string(), difference));
 }
 
 std::vector<Job> make_jobs(const RunOptions& options) {
@@ -57,27 +60,22 @@ std::vector<Job> make_jobs(const RunOptions& options) {
     studies::Plan plan = studies::make_plan(study);
     const fs::path output = output_path(options, study.name);
     if (!outputs.insert(output).second) {
-      throw core::InputError(fmt::format("{}: two studies would write this result; run them apart with -o", output.string()));
+      throw core::InputError(
+          fmt::format("{}: two studies would write this result; run them apart with -o", output.string()));
     }
     jobs.push_back({std::move(study), std::move(plan), output});
   }
+  for (Job& job : jobs) job.complete = already_there(job);
   // A folder is made only after every study has been found good.
   const fs::path folder(options.output);
-  std::error_code failure;
-  if (!folder.empty() && (jobs.size() > 1 || !folder.has_filename()) && !fs::exists(folder)) {
-    fs::create_directory(folder, failure);
-    if (failure) {
-      throw core::InputError(fmt::format("{}: this folder cannot be made ({}); choose another -o", folder.string(),
-                                         failure.message()));
-    }
-  }
+  if (jobs.size() > 1 || !folder.has_filename()) require_folder(folder);
   for (const Job& job : jobs) results::require_writable(job.output);
   return jobs;
 }
 
 /// Runs one study; returns false when it was stopped before the end.
 bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
-  if (already_there(job)) {
+  if (job.complete) {
     fmt::print(stderr, "{}: complete already, nothing to do\n", job.output.string());
     fmt::print("{}\n", job.output.string());
     return true;
@@ -86,9 +84,12 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
   const auto begin = std::chrono::steady_clock::now();
   studies::RunProgress progress;
   studies::RunOutcome outcome;
-  {
+  try {
     const ProgressDisplay display(job.study.name, progress, blocks);
     outcome = studies::run_study(job.study, job.plan, job.output, threads, build_provenance(), progress, stop);
+  } catch (const core::IoError& error) {
+    throw core::IoError(fmt::format("{}. Finished parts are kept in {}.parts; the same command goes on from there",
+                                    error.what(), job.output.string()));
   }
   for (const std::string& warning : outcome.warnings) fmt::print(stderr, "warning: {}\n", warning);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -105,7 +106,7 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
              job.plan.cells.size(), job.study.trials, job.study.methods.size(), threads, threads == 1 ? "" : "s",
              duration_text(seconds));
   fmt::print("{}\n", job.output.string());
-  std::fflush(stdout);
+  finish_standard_output();
   return true;
 }
 

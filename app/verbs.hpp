@@ -41,7 +41,7 @@ int summary(const SummaryOptions& options);
 
 struct ExportOptions {
   std::string result;
-  std::string output;   ///< empty: standard output
+  std::string output;  ///< empty: standard output
   bool csv = true;
   bool trials = false;  ///< rows per trial instead of per metric
 };

@@ -42,8 +42,8 @@ struct SinCos {
 
 /// Sine and cosine of an angle in turns (1 turn = 2 pi), |turns| < 2^40.
 ///
-/// The quadrant is split off exactly, since a quarter turn is a binary fraction; what remains is at most pi/4, where the
-/// Taylor series to x^17 and x^16 are exact to less than 2^-60.
+/// The quadrant is split off exactly, since a quarter turn is a binary fraction; what remains is at most pi/4, where
+/// the Taylor series to x^17 and x^16 are exact to less than 2^-60.
 template <class Real>
 SinCos<Real> sin_cos_turns(Real turns) {
   constexpr double two_pi = 6.283185307179586;
@@ -53,9 +53,23 @@ SinCos<Real> sin_cos_turns(Real turns) {
   const Real x = rest * Real(two_pi) + rest * Real(two_pi_low);
   const Real x2 = x * x;
 
-  constexpr double factorial[] = {1.0,       1.0,        2.0,         6.0,          24.0,          120.0,
-                                  720.0,     5040.0,     40320.0,     362880.0,     3628800.0,     39916800.0,
-                                  479001600.0, 6227020800.0, 87178291200.0, 1307674368000.0, 20922789888000.0,
+  constexpr double factorial[] = {1.0,
+                                  1.0,
+                                  2.0,
+                                  6.0,
+                                  24.0,
+                                  120.0,
+                                  720.0,
+                                  5040.0,
+                                  40320.0,
+                                  362880.0,
+                                  3628800.0,
+                                  39916800.0,
+                                  479001600.0,
+                                  6227020800.0,
+                                  87178291200.0,
+                                  1307674368000.0,
+                                  20922789888000.0,
                                   355687428096000.0};
   Real sin_series = Real(1.0 / factorial[17]);
   Real cos_series = Real(1.0 / factorial[16]);

@@ -46,9 +46,10 @@ struct LinearSolution {
   Mask<Real> singular;
 };
 
-/// x = A^-1 b by the adjugate. `singular` where |det A| <= 3 eps |A|^3, with |A|^3 the product of the row norms:
-/// Hadamard's bound on |det A|, which does not change its verdict when rows are scaled. Where A is not finite, x is
-/// not finite and `singular` is false.
+/// x = A^-1 b by the adjugate. `singular` where |det A| <= 3 eps |A|^3, with |A|^3 read as the product of the row
+/// norms: Hadamard's bound on |det A|. Scaling a row scales both sides, so that a ridge of 10^16 in one component,
+/// which makes a matrix no harder to solve, does not make it singular. Where A is not finite, x is not finite and
+/// `singular` is false.
 template <class Real>
 LinearSolution<Real> solve(const Symmetric3<Real>& a, const Vector3<Real>& b) {
   const Real c_xx = a.yy * a.zz - a.yz * a.yz;

@@ -17,7 +17,15 @@ inline double uniform(std::uint32_t low, std::uint32_t high) {
 }
 
 /// Two uniforms on (0, 1) from one random block.
-inline std::array<double, 2> uniform_pair(const RandomBlock& b) { return {uniform(b[0], b[1]), uniform(b[2], b[3])}; }
+inline std::array<double, 2> uniform_pair(const RandomBlock& b) {
+  return {uniform(b[0], b[1]), uniform(b[2], b[3])};
+}
+
+/// Two uniforms on (0, 1) from draw `draw`, a whole number, of each lane's trial first_trial + trial.
+inline std::array<double, 2> uniform_pair(const Stream& stream, std::uint64_t first_trial, std::size_t trial,
+                                          double draw) {
+  return uniform_pair(stream.block(first_trial + trial, static_cast<std::uint64_t>(draw)));
+}
 
 /// Three uniforms on (0, 1) on the grid (k + 1/2) 2^-42 from one random block: one word each, and ten bits each of the
 /// fourth word.

@@ -29,14 +29,28 @@ template <class Real>
 using Index = typename RealTraits<Real>::Index;
 
 /// a where the mask holds, b elsewhere.
-inline double select(bool mask, double a, double b) { return mask ? a : b; }
-inline bool any(bool mask) { return mask; }
+inline double select(bool mask, double a, double b) {
+  return mask ? a : b;
+}
+inline bool any(bool mask) {
+  return mask;
+}
 
-inline double sqrt(double x) { return std::sqrt(x); }
-inline double abs(double x) { return std::fabs(x); }
-inline double max(double a, double b) { return a < b ? b : a; }
-inline double min(double a, double b) { return b < a ? b : a; }
-inline bool is_finite(double x) { return std::fabs(x) <= std::numeric_limits<double>::max(); }
+inline double sqrt(double x) {
+  return std::sqrt(x);
+}
+inline double abs(double x) {
+  return std::fabs(x);
+}
+inline double max(double a, double b) {
+  return a < b ? b : a;
+}
+inline double min(double a, double b) {
+  return b < a ? b : a;
+}
+inline bool is_finite(double x) {
+  return std::fabs(x) <= std::numeric_limits<double>::max();
+}
 
 /// Nearest integer, ties to even, for |x| < 2^51.
 inline double round_to_integer(double x) {
@@ -62,8 +76,12 @@ inline double cube_root_guess(double x) {
 }
 
 /// Values of the trials in the lanes, and back.
-inline double load(std::span<const double> column, std::size_t trial) { return column[trial]; }
-inline void store(std::span<double> column, std::size_t trial, double value) { column[trial] = value; }
+inline double load(std::span<const double> column, std::size_t trial) {
+  return column[trial];
+}
+inline void store(std::span<double> column, std::size_t trial, double value) {
+  column[trial] = value;
+}
 /// Stores small integers, held as reals while they are selected.
 inline void store_status(std::span<std::uint8_t> column, std::size_t trial, double code) {
   column[trial] = static_cast<std::uint8_t>(code);

@@ -9,7 +9,7 @@ void SolutionBatch::reshape(std::size_t trials) {
   for (auto& coordinate : estimate) coordinate.assign(trials, not_run);
   status.assign(trials, static_cast<std::uint8_t>(Status::NotRun));
   iterations.assign(trials, 0.0);
-  for (auto* column : {&residual_rms_m, &gradient_m, &eta_first, &eta_last, &eta_mean}) {
+  for (auto* column : {&residual_rms_m, &remaining_step_m, &eta_first, &eta_last, &eta_mean}) {
     column->assign(trials, not_run);
   }
 }

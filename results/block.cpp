@@ -29,8 +29,7 @@ BlockSink::BlockSink(const Header& header, std::size_t cell, std::uint64_t block
       keeps_columns_(block < header.trial_column_blocks),
       methods_(header.methods.size()) {
   if (cell >= header.cells.size() || trials == 0 || trials > header.block_trials)
-    throw std::invalid_argument(
-        fmt::format("cell {} with {} trials is not a block of the study", cell, trials));
+    throw std::invalid_argument(fmt::format("cell {} with {} trials is not a block of the study", cell, trials));
   for (PerMethod& method : methods_) {
     method.statistics.trials = trials;
     method.statistics.metrics.resize(header.schema.metrics.size());
@@ -41,8 +40,7 @@ BlockSink::BlockSink(const Header& header, std::size_t cell, std::uint64_t block
 BlockSink::PerMethod& BlockSink::begin_column(std::size_t method, std::uint64_t kind, std::size_t index,
                                               std::span<const std::byte> bytes, std::size_t values) {
   if (values != trials_)
-    throw std::invalid_argument(
-        fmt::format("a column of {} values for a block of {} trials", values, trials_));
+    throw std::invalid_argument(fmt::format("a column of {} values for a block of {} trials", values, trials_));
   PerMethod& target = methods_.at(method);
   target.digest.update(kind);
   target.digest.update(index);
@@ -59,8 +57,7 @@ void BlockSink::status(std::size_t method, std::span<const std::uint8_t> codes) 
   PerMethod& target = begin_column(method, kind_status, 0, std::as_bytes(codes), codes.size());
   std::vector<std::uint64_t>& counts = events_of(target);
   for (const std::uint8_t code : codes) {
-    if (code >= statuses_)
-      throw std::invalid_argument(fmt::format("{} is not a status code of the schema", code));
+    if (code >= statuses_) throw std::invalid_argument(fmt::format("{} is not a status code of the schema", code));
     ++counts[code];
   }
   target.has_columns = true;

@@ -59,8 +59,8 @@ class BlockSink {
     bool has_columns = false;
   };
 
-  PerMethod& begin_column(std::size_t method, std::uint64_t kind, std::size_t index,
-                          std::span<const std::byte> bytes, std::size_t values);
+  PerMethod& begin_column(std::size_t method, std::uint64_t kind, std::size_t index, std::span<const std::byte> bytes,
+                          std::size_t values);
   std::vector<std::uint64_t>& events_of(PerMethod& method) const;
 
   std::size_t cell_;

@@ -53,8 +53,7 @@ class CsvWriter {
   void flush() {
     out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     buffer_.clear();
-    if (!out_.flush())
-      throw core::IoError("cannot write the CSV output: is the disk full or the reader gone?");
+    if (!out_.flush()) throw core::IoError("cannot write the CSV output: is the disk full or the reader gone?");
   }
 
  private:
@@ -95,8 +94,8 @@ void write_summary_csv(const Summary& summary, std::ostream& out) {
     csv.text(row.metric);
     csv.text(row.unit);
     csv.number(row.n);
-    for (const double value : {row.mean, row.mcse, row.sd, row.min, row.p05, row.p25, row.p50, row.p75,
-                               row.p95, row.max, row.lo, row.hi}) {
+    for (const double value :
+         {row.mean, row.mcse, row.sd, row.min, row.p05, row.p25, row.p50, row.p75, row.p95, row.max, row.lo, row.hi}) {
       csv.number(value);
     }
     csv.number(std::uint64_t{row.trusted});

@@ -10,7 +10,7 @@ namespace ridgeloc::results {
 
 /// Comma-separated values as RFC 4180 has them (UTF-8, fields quoted where needed), but for lines that end in LF.
 /// Numbers are written in the shortest form that reads back as the same double; `nan` stands where a quantity
-/// is not defined and `inf` for a failed trial, as R, pandas, Julia and MATLAB read them. Throws
+/// is not defined and `inf` for a trial without a finite value, as R, pandas, Julia and MATLAB read them. Throws
 /// core::IoError when `out` fails.
 
 /// Long form, one row per cell, method and metric: the axes, then method, metric, unit, n, mean, mcse, sd,

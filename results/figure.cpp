@@ -18,8 +18,7 @@ FigureFormat format_of(const std::filesystem::path& output) {
   if (extension == ".svg") return FigureFormat::Svg;
   if (extension == ".pdf") return FigureFormat::Pdf;
   if (extension == ".png") return FigureFormat::Png;
-  throw core::InputError(
-      fmt::format("'{}': a figure's file name ends in .svg, .pdf or .png", output.string()));
+  throw core::InputError(fmt::format("'{}': a figure's file name ends in .svg, .pdf or .png", output.string()));
 }
 
 }  // namespace

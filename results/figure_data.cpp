@@ -97,13 +97,12 @@ class Builder {
     if (grouped_by_one_axis()) {
       const Axis& grouping = header_.axes[names_.group.front()];
       data.group_title = axis_label(grouping);
-      for (const auto& [values, group] : groups_)
-        data.groups[group] = factor_text(grouping.values[values.front()]);
+      for (const auto& [values, group] : groups_) data.groups[group] = factor_text(grouping.values[values.front()]);
     }
     if (data.panels.empty()) {
       throw core::InputError(
-          fmt::format("figure '{}': none of its methods reports {}; `ridgeloc summary` lists what there is",
-                      spec_.name, spec_.y.front()));
+          fmt::format("figure '{}': none of its methods reports {}; `ridgeloc summary` lists what there is", spec_.name,
+                      spec_.y.front()));
     }
     finish(data);
     return data;
@@ -130,15 +129,12 @@ class Builder {
   Key key(const SummaryRow& row, const Key& dimensions) const {
     Key result;
     for (const std::size_t dimension : dimensions) {
-      result.push_back(dimension == method_dimension ? row.method
-                                                     : header_.cells[row.cell].indices[dimension]);
+      result.push_back(dimension == method_dimension ? row.method : header_.cells[row.cell].indices[dimension]);
     }
     return result;
   }
 
-  bool grouped_by_one_axis() const {
-    return names_.group.size() == 1 && names_.group.front() != method_dimension;
-  }
+  bool grouped_by_one_axis() const { return names_.group.size() == 1 && names_.group.front() != method_dimension; }
 
   /// "points = 3, rrr".
   std::string label(const Key& dimensions, const Key& values) const {
@@ -202,8 +198,7 @@ class Builder {
     std::string axes;
     for (std::size_t i = 0; i < header_.axes.size(); ++i) {
       const bool used = i == names_.x || key_contains(names_.group, i) || key_contains(names_.facet, i);
-      if (!used && header_.axes[i].values.size() > 1)
-        axes += (axes.empty() ? "" : ", ") + header_.axes[i].name;
+      if (!used && header_.axes[i].values.size() > 1) axes += (axes.empty() ? "" : ", ") + header_.axes[i].name;
     }
     throw core::InputError(
         fmt::format("figure '{}': several cells fall on one point, among them {}; add to group or facet: {}",

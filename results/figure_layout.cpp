@@ -30,8 +30,8 @@ double place_legend(const std::vector<std::string>& texts, bool is_metric, doubl
   if (texts.size() < 2) return y;
   std::size_t longest = 0;
   for (const std::string& text : texts) longest = std::max(longest, display_width(text));
-  const double entry = FigureLayout::sample_length + FigureLayout::sample_gap +
-                       static_cast<double>(longest) * small_character + 2.5;
+  const double entry =
+      FigureLayout::sample_length + FigureLayout::sample_gap + static_cast<double>(longest) * small_character + 2.5;
   const double room = FigureLayout::width - 2.0 * FigureLayout::edge;
   const std::size_t fitting = std::max<std::size_t>(1, static_cast<std::size_t>(room / entry));
   const std::size_t rows = (texts.size() + fitting - 1) / fitting;
@@ -67,9 +67,7 @@ std::size_t line_count(const FigureData& data) {
 
 /// Sets the x axis and the sideways step between lines.
 void place_x(const FigureData& data, FigureLayout& layout) {
-  const auto scaled = [&](const FigureTick& tick) {
-    return data.log_x ? std::log10(tick.position) : tick.position;
-  };
+  const auto scaled = [&](const FigureTick& tick) { return data.log_x ? std::log10(tick.position) : tick.position; };
   const double low = scaled(data.x_ticks.front());
   const double high = scaled(data.x_ticks.back());
   const double span = high > low ? high - low : 1.0;
@@ -142,8 +140,8 @@ std::string footnote(const FigureData& data) {
     }
   }
   if (omitted == 0) return data.footnote;
-  return fmt::format("{}; {} {} not shown: infinite{}", data.footnote, omitted,
-                     omitted == 1 ? "point" : "points", data.log_y ? " or not positive" : "");
+  return fmt::format("{}; {} {} not shown: infinite{}", data.footnote, omitted, omitted == 1 ? "point" : "points",
+                     data.log_y ? " or not positive" : "");
 }
 
 }  // namespace
@@ -153,8 +151,7 @@ FigureLayout figure_layout(const FigureData& data) {
   const double text_width = FigureLayout::width - 2.0 * FigureLayout::edge;
   layout.title = wrapped(data.title, characters(text_width, title_character));
   const std::size_t panels = data.panels.size();
-  const double label_room =
-      panels > 1 ? static_cast<double>(panels) * stacked_panel_height : single_panel_height;
+  const double label_room = panels > 1 ? static_cast<double>(panels) * stacked_panel_height : single_panel_height;
   // The label may reach beyond the panels by as much as the x axis below them takes.
   layout.y_label = wrapped(data.y_label, characters(label_room + 10.0, small_character));
   layout.left = 11.0 + FigureLayout::line_height * static_cast<double>(layout.y_label.size());

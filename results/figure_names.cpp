@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/edit_distance.hpp"
 #include "core/error.hpp"
 #include "results/text.hpp"
 
@@ -19,11 +20,10 @@ std::size_t find_name(const FigureSpec& spec, std::string_view key, std::string_
   const auto found = std::find(valid.begin(), valid.end(), name);
   if (found != valid.end()) return static_cast<std::size_t>(found - valid.begin());
   if (valid.empty())
-    throw core::InputError(
-        fmt::format("figure '{}': {} = \"{}\": this study has none", spec.name, key, name));
+    throw core::InputError(fmt::format("figure '{}': {} = \"{}\": this study has none", spec.name, key, name));
   std::vector<std::string> nearest = valid;
   std::stable_sort(nearest.begin(), nearest.end(), [&](const std::string& a, const std::string& b) {
-    return edit_distance(name, a) < edit_distance(name, b);
+    return core::edit_distance(name, a) < core::edit_distance(name, b);
   });
   constexpr std::size_t listed = 6;
   const bool all = nearest.size() <= listed;
@@ -69,14 +69,12 @@ FigureNames resolve_figure_names(const Header& header, const FigureSpec& spec) {
   FigureNames names;
   names.x = find_name(spec, "x", spec.x, axis_names(header));
   for (const std::string& name : spec.y) names.y.push_back(find_quantity(header, spec, name));
-  for (const std::string& name : spec.group)
-    names.group.push_back(find_dimension(header, spec, "group", name));
+  for (const std::string& name : spec.group) names.group.push_back(find_dimension(header, spec, "group", name));
   if (!spec.facet.empty()) names.facet.push_back(find_dimension(header, spec, "facet", spec.facet));
 
   std::vector<std::string> labels;
   for (const MethodInfo& method : header.methods) labels.push_back(method.label);
-  for (const std::string& label : spec.methods)
-    names.methods.push_back(find_name(spec, "methods", label, labels));
+  for (const std::string& label : spec.methods) names.methods.push_back(find_name(spec, "methods", label, labels));
   if (spec.methods.empty()) {
     for (std::size_t method = 0; method < labels.size(); ++method) names.methods.push_back(method);
   }

@@ -68,10 +68,9 @@ std::string marked_line(const std::string& line, const std::string& places, cons
   return elements;
 }
 
-std::string text(const Layout& layout, double x_mm, double y_mm, std::string_view value,
-                 std::string_view options) {
-  return fmt::format("set label {} at screen {:.5f},{:.5f} {} front\n", gnuplot_string(value),
-                     x_mm / Layout::width, 1.0 - y_mm / layout.height, options);
+std::string text(const Layout& layout, double x_mm, double y_mm, std::string_view value, std::string_view options) {
+  return fmt::format("set label {} at screen {:.5f},{:.5f} {} front\n", gnuplot_string(value), x_mm / Layout::width,
+                     1.0 - y_mm / layout.height, options);
 }
 
 std::string terminal(FigureFormat format, const Layout& layout) {
@@ -83,13 +82,11 @@ std::string terminal(FigureFormat format, const Layout& layout) {
       return fmt::format("svg size {},{} font 'sans-serif,8' fontscale 1.333 background 'white'",
                          pixels(Layout::width, css_pixels_per_mm), pixels(layout.height, css_pixels_per_mm));
     case FigureFormat::Pdf:
-      return fmt::format(
-          "pdfcairo size {:.3f}cm,{:.3f}cm font 'Sans,8' fontscale 0.75 linewidth 1.5 pointscale 0.8",
-          Layout::width / 10.0, layout.height / 10.0);
+      return fmt::format("pdfcairo size {:.3f}cm,{:.3f}cm font 'Sans,8' fontscale 0.75 linewidth 1.5 pointscale 0.8",
+                         Layout::width / 10.0, layout.height / 10.0);
     case FigureFormat::Png:
       return fmt::format("pngcairo size {},{} font 'Sans,8' fontscale 3.125 linewidth 3.125 pointscale 3.125",
-                         pixels(Layout::width, print_pixels_per_mm),
-                         pixels(layout.height, print_pixels_per_mm));
+                         pixels(Layout::width, print_pixels_per_mm), pixels(layout.height, print_pixels_per_mm));
   }
   return {};
 }
@@ -130,8 +127,8 @@ std::string lettering(const FigureData& data, const Layout& layout) {
   for (std::size_t i = 0; i < layout.panels.size(); ++i) {
     if (data.panels[i].label.empty()) continue;
     const std::string letter(1, static_cast<char>('a' + i % 26));
-    script += text(layout, layout.left, layout.panels[i].label_y,
-                   fmt::format("({}) {}", letter, data.panels[i].label), "left font ',7.5'");
+    script += text(layout, layout.left, layout.panels[i].label_y, fmt::format("({}) {}", letter, data.panels[i].label),
+                   "left font ',7.5'");
   }
   if (data.groups.size() > 1) {
     script += text(layout, Layout::width / 2.0, layout.legend_title_y, data.group_title, "center font ',7'");
@@ -154,8 +151,7 @@ std::string draw_page(const FigureData& data, const Layout& layout) {
     const std::string name = fmt::format("$sample{}", i);
     script += fmt::format("{0} << EOD\n{1} {3} {4}\n\n\n{2} {3}\nEOD\n", name, entry.x,
                           entry.x + Layout::sample_length / 2.0, entry.y, Layout::sample_length);
-    const Style style =
-        entry.is_metric ? with_metric(Style{}, entry.index) : line_style(data, entry.index, 0);
+    const Style style = entry.is_metric ? with_metric(Style{}, entry.index) : line_style(data, entry.index, 0);
     append(elements, next_element,
            marked_line(name + " index 0 using 1:2:3:(0) with vectors nohead", name + " index 1", style));
   }
@@ -167,13 +163,11 @@ std::string draw_page(const FigureData& data, const Layout& layout) {
 std::string log_y_ticks(const FigureRange& range) {
   const bool is_short = range.high < 300.0 * range.low;
   std::string list;
-  for (int power = static_cast<int>(std::floor(std::log10(range.low))); std::pow(10.0, power) <= range.high;
-       ++power) {
+  for (int power = static_cast<int>(std::floor(std::log10(range.low))); std::pow(10.0, power) <= range.high; ++power) {
     for (int digit = 1; digit < 10; ++digit) {
       const double value = std::stod(fmt::format("{}e{}", digit, power));
       const bool major = digit == 1 || (is_short && (digit == 2 || digit == 5));
-      append(list, ", ",
-             fmt::format("'{}' {} {}", major ? fmt::format("{:g}", value) : "", value, major ? 0 : 1));
+      append(list, ", ", fmt::format("'{}' {} {}", major ? fmt::format("{:g}", value) : "", value, major ? 0 : 1));
     }
   }
   return fmt::format("set ytics nomirror ({})\n", list);
@@ -203,14 +197,12 @@ std::string panel_axes(const FigureData& data, const Layout& layout) {
 }
 
 /// A data block of the line's points: x, y, lower and upper end of the bar, whether it is trusted.
-std::string data_block(const std::string& name, const FigureData& data, const Layout& layout,
-                       const FigureLine& line) {
+std::string data_block(const std::string& name, const FigureData& data, const Layout& layout, const FigureLine& line) {
   std::string block = name + " << EOD\n";
   for (const FigurePoint& point : line.points) {
     if (!is_drawable(point, data.log_y)) continue;
     block += fmt::format("{} {} {} {} {}\n", dodged(data, layout, line, point.x), point.y,
-                         std::max(point.lo, layout.y.low), std::min(point.hi, layout.y.high),
-                         point.trusted ? 1 : 0);
+                         std::max(point.lo, layout.y.low), std::min(point.hi, layout.y.high), point.trusted ? 1 : 0);
   }
   return block + "EOD\n";
 }

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* temporary_suffix = ".tmp";
+constexpr const char* temporary_suffix = ".ridgeloc-tmp";
 
 std::string reason(int error) {
   return std::generic_category().message(error);
@@ -46,29 +46,27 @@ void require_writable(const fs::path& file) {
   const fs::path folder = folder_of(file);
   std::error_code error;
   if (file.filename().empty() || fs::is_directory(file, error))
-    throw core::InputError(
-        fmt::format("cannot write {}: it is a folder; add a file name to -o", file.string()));
+    throw core::InputError(fmt::format("cannot write {}: it is a folder; add a file name to -o", file.string()));
   if (!fs::exists(folder, error))
-    throw core::InputError(
-        fmt::format("cannot write {}: the folder {} does not exist; create it or choose another -o",
-                    file.string(), folder.string()));
-  if (!fs::is_directory(folder, error))
-    throw core::InputError(fmt::format("cannot write {}: {} is not a folder; choose another -o",
+    throw core::InputError(fmt::format("cannot write {}: the folder {} does not exist; create it or choose another -o",
                                        file.string(), folder.string()));
+  if (!fs::is_directory(folder, error))
+    throw core::InputError(
+        fmt::format("cannot write {}: {} is not a folder; choose another -o", file.string(), folder.string()));
 
   // Only an attempt tells the truth about permissions, read-only mounts and quotas.
   std::string probe = (folder / fmt::format(".{}.XXXXXX", file.filename().string())).string();
   const int descriptor = ::mkstemp(probe.data());
   if (descriptor < 0)
-    throw core::InputError(
-        fmt::format("cannot write {}: {}; make the folder {} writable or choose another -o", file.string(),
-                    reason(errno), folder.string()));
+    throw core::InputError(fmt::format("cannot write {}: {}; make the folder {} writable or choose another -o",
+                                       file.string(), reason(errno), folder.string()));
   ::close(descriptor);
   ::unlink(probe.c_str());
 }
 
 TemporaryFile::TemporaryFile(fs::path final_path)
-    : final_(std::move(final_path)), temporary_(final_.string() + temporary_suffix) {}
+    : final_(std::move(final_path)),
+      temporary_(fmt::format("{}.{}{}", final_.string(), ::getpid(), temporary_suffix)) {}
 
 TemporaryFile::~TemporaryFile() {
   if (published_) return;
@@ -96,8 +94,8 @@ FolderLock::FolderLock(const fs::path& folder) : descriptor_(::open(folder.c_str
     throw core::IoError(fmt::format("cannot open the folder {}: {}", folder.string(), reason(errno)));
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(descriptor_);
-    throw core::InputError(fmt::format(
-        "another run is writing to {}; wait for it, stop it, or choose another -o", folder.string()));
+    throw core::InputError(
+        fmt::format("another run is writing to {}; wait for it, stop it, or choose another -o", folder.string()));
   }
 }
 

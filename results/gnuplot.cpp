@@ -21,8 +21,7 @@ class ScriptFile {
       : path_((std::filesystem::temp_directory_path() / "ridgeloc-XXXXXX").string()) {
     const int descriptor = mkstemp(path_.data());
     if (descriptor < 0) {
-      throw core::IoError(
-          fmt::format("cannot create '{}' for gnuplot; set TMPDIR to a writable folder", path_));
+      throw core::IoError(fmt::format("cannot create '{}' for gnuplot; set TMPDIR to a writable folder", path_));
     }
     std::FILE* file = fdopen(descriptor, "w");
     const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();

@@ -62,12 +62,10 @@ std::uint64_t product(const Shape& shape) {
 
 Handle make_space(const fs::path& file, const std::string& object, const Shape& shape) {
   const std::vector<hsize_t> extent(shape.begin(), shape.end());
-  return {H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), H5Sclose, "create", file,
-          object};
+  return {H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), H5Sclose, "create", file, object};
 }
 
-Handle make_creation_properties(const fs::path& file, const std::string& object, const Shape& shape,
-                                Layout layout) {
+Handle make_creation_properties(const fs::path& file, const std::string& object, const Shape& shape, Layout layout) {
   Handle properties{H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "create", file, object};
   bool good = H5Pset_obj_track_times(properties, false) >= 0 &&
               H5Pset_attr_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) >= 0;
@@ -122,9 +120,7 @@ File File::open(const fs::path& path) {
 }
 
 File::File(File&& other) noexcept
-    : path_(std::move(other.path_)),
-      id_(std::exchange(other.id_, -1)),
-      manifest_(std::move(other.manifest_)) {}
+    : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)), manifest_(std::move(other.manifest_)) {}
 
 File::~File() {
   if (id_ >= 0) H5Fclose(id_);
@@ -141,8 +137,8 @@ void File::create_group(const std::string& path) {
       H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) < 0 ||
       H5Pset_attr_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) < 0)
     fail("create", path_, path);
-  const Handle group{H5Gcreate2(id_, path.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose, "create",
-                     path_, path};
+  const Handle group{H5Gcreate2(id_, path.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose, "create", path_,
+                     path};
 }
 
 bool File::contains(const std::string& path) const {
@@ -153,27 +149,24 @@ bool File::contains(const std::string& path) const {
   }
 }
 
-void File::write_values(const std::string& path, Type type, const void* values, const Shape& shape,
-                        Layout layout) {
+void File::write_values(const std::string& path, Type type, const void* values, const Shape& shape, Layout layout) {
   const Handle space = make_space(path_, path, shape);
   const Handle properties = make_creation_properties(path_, path, shape, layout);
   const hid_t element = numeric_type(type);
-  Handle dataset{H5Dcreate2(id_, path.c_str(), element, space, H5P_DEFAULT, properties, H5P_DEFAULT),
-                 H5Dclose, "create", path_, path};
+  Handle dataset{H5Dcreate2(id_, path.c_str(), element, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose,
+                 "create", path_, path};
   const std::uint64_t count = product(shape);
-  if (count > 0 && H5Dwrite(dataset, element, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
-    fail("write", path_, path);
+  if (count > 0 && H5Dwrite(dataset, element, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) fail("write", path_, path);
   dataset.close("write", path_, path);
-  record(path, type, shape,
-         sha256_hex(std::span(static_cast<const std::byte*>(values), count * size_of(type))));
+  record(path, type, shape, sha256_hex(std::span(static_cast<const std::byte*>(values), count * size_of(type))));
 }
 
 void File::write(const std::string& path, const std::vector<std::string>& values) {
   const Handle space = make_space(path_, path, {values.size()});
   const Handle properties = make_creation_properties(path_, path, {values.size()}, Layout::Contiguous);
   const Handle element = text_type(path_);
-  Handle dataset{H5Dcreate2(id_, path.c_str(), element, space, H5P_DEFAULT, properties, H5P_DEFAULT),
-                 H5Dclose, "create", path_, path};
+  Handle dataset{H5Dcreate2(id_, path.c_str(), element, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose,
+                 "create", path_, path};
   std::vector<const char*> pointers;
   for (const std::string& value : values) pointers.push_back(value.c_str());
   if (!values.empty() && H5Dwrite(dataset, element, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()) < 0)
@@ -188,8 +181,7 @@ Type File::type(const std::string& path) const {
   if (H5Tget_class(element) == H5T_STRING && H5Tis_variable_str(element) > 0) return Type::Text;
   for (const Type type : {Type::F64, Type::I64, Type::U64, Type::U32, Type::U8})
     if (H5Tequal(element, numeric_type(type)) > 0) return type;
-  throw core::IoError(
-      fmt::format("cannot read {} in {}: its type is not of the file format", path, path_.string()));
+  throw core::IoError(fmt::format("cannot read {} in {}: its type is not of the file format", path, path_.string()));
 }
 
 Shape File::shape(const std::string& path) const {
@@ -204,9 +196,8 @@ Shape File::shape(const std::string& path) const {
   std::uint64_t room = file_bytes * largest_compression / size_of(type(path));
   for (const hsize_t size : extent) {
     if (size > room)
-      throw core::IoError(
-          fmt::format("cannot read {} in {}: the file is too small for its size of {}; it is damaged", path,
-                      path_.string(), fmt::join(extent, " x ")));
+      throw core::IoError(fmt::format("cannot read {} in {}: the file is too small for its size of {}; it is damaged",
+                                      path, path_.string(), fmt::join(extent, " x ")));
     if (size > 0) room /= size;
   }
   return {extent.begin(), extent.end()};
@@ -219,16 +210,15 @@ std::uint64_t File::elements(const std::string& path) const {
 void File::require_range(const std::string& path, std::uint64_t first, std::uint64_t count) const {
   const Shape extent = shape(path);
   if (extent.size() != 1 || first > extent[0] || count > extent[0] - first)
-    throw core::IoError(
-        fmt::format("cannot read {} in {}: values {} to {} are not there; the file is damaged", path,
-                    path_.string(), first, first + count));
+    throw core::IoError(fmt::format("cannot read {} in {}: values {} to {} are not there; the file is damaged", path,
+                                    path_.string(), first, first + count));
 }
 
 void File::read_values(const std::string& path, Type asked, void* values, std::uint64_t first,
                        std::uint64_t count) const {
   if (type(path) != asked)
-    throw core::IoError(fmt::format("cannot read {} in {}: it has another type than the file format says",
-                                    path, path_.string()));
+    throw core::IoError(
+        fmt::format("cannot read {} in {}: it has another type than the file format says", path, path_.string()));
   if (count == 0) return;
   const Handle dataset{H5Dopen2(id_, path.c_str(), H5P_DEFAULT), H5Dclose, "read", path_, path};
   const Handle space{H5Dget_space(dataset), H5Sclose, "read", path_, path};
@@ -236,11 +226,9 @@ void File::read_values(const std::string& path, Type asked, void* values, std::u
   if (H5Sget_simple_extent_ndims(space) == 1) {
     const hsize_t start = first;
     const hsize_t extent = count;
-    if (H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &extent, nullptr) < 0)
-      fail("read", path_, path);
+    if (H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &extent, nullptr) < 0) fail("read", path_, path);
   }
-  if (H5Dread(dataset, numeric_type(asked), memory, space, H5P_DEFAULT, values) < 0)
-    fail("read", path_, path);
+  if (H5Dread(dataset, numeric_type(asked), memory, space, H5P_DEFAULT, values) < 0) fail("read", path_, path);
 }
 
 std::vector<std::string> File::read_text(const std::string& path) const {
@@ -251,8 +239,7 @@ std::vector<std::string> File::read_text(const std::string& path) const {
   const Handle dataset{H5Dopen2(id_, path.c_str(), H5P_DEFAULT), H5Dclose, "read", path_, path};
   const Handle space{H5Dget_space(dataset), H5Sclose, "read", path_, path};
   const Handle element = text_type(path_);
-  if (H5Dread(dataset, element, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()) < 0)
-    fail("read", path_, path);
+  if (H5Dread(dataset, element, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()) < 0) fail("read", path_, path);
   std::vector<std::string> values;
   for (const char* pointer : pointers) values.emplace_back(pointer == nullptr ? "" : pointer);
   H5Dvlen_reclaim(element, space, H5P_DEFAULT, pointers.data());

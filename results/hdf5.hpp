@@ -96,11 +96,9 @@ class File {
   std::vector<std::string> read_text(const std::string& path) const;
 
   void write_attribute(const std::string& object, const std::string& name, const std::string& value);
-  void write_attribute(const std::string& object, const std::string& name,
-                       const std::vector<std::string>& value);
+  void write_attribute(const std::string& object, const std::string& name, const std::vector<std::string>& value);
   void write_attribute(const std::string& object, const std::string& name, std::uint64_t value);
-  void write_attribute(const std::string& object, const std::string& name,
-                       const std::vector<std::uint64_t>& value);
+  void write_attribute(const std::string& object, const std::string& name, const std::vector<std::uint64_t>& value);
   void write_attribute(const std::string& object, const std::string& name, double value);
   bool has_attribute(const std::string& object, const std::string& name) const;
   std::string text_attribute(const std::string& object, const std::string& name) const;
@@ -123,16 +121,13 @@ class File {
 
   std::uint64_t elements(const std::string& path) const;
   void require_range(const std::string& path, std::uint64_t first, std::uint64_t count) const;
-  void write_values(const std::string& path, Type type, const void* values, const Shape& shape,
-                    Layout layout);
-  void read_values(const std::string& path, Type type, void* values, std::uint64_t first,
-                   std::uint64_t count) const;
+  void write_values(const std::string& path, Type type, const void* values, const Shape& shape, Layout layout);
+  void read_values(const std::string& path, Type type, void* values, std::uint64_t first, std::uint64_t count) const;
   void record(const std::string& path, Type type, const Shape& shape, const std::string& digest);
 
   std::filesystem::path path_;
   std::int64_t id_ = -1;
-  std::map<std::string, std::string>
-      manifest_;  ///< of the datasets written: path -> line of the digest's text
+  std::map<std::string, std::string> manifest_;  ///< of the datasets written: path -> line of the digest's text
 };
 
 /// Version of the HDF5 library in use, as "1.10.8".

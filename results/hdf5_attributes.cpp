@@ -39,8 +39,8 @@ Handle array_space(const Place& place, hsize_t size) {
 }
 
 Handle open_attribute(const Place& place) {
-  return {H5Aopen_by_name(place.file, place.object.c_str(), place.name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-          H5Aclose, "read", place.path, place.words()};
+  return {H5Aopen_by_name(place.file, place.object.c_str(), place.name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+          "read", place.path, place.words()};
 }
 
 /// Number of values of an attribute of the expected class. An attribute lies in its object's header, where
@@ -50,11 +50,10 @@ std::size_t checked_size(const Place& place, const Handle& attribute, H5T_class_
   const Handle space{H5Aget_space(attribute), H5Sclose, "read", place.path, place.words()};
   const Handle type{H5Aget_type(attribute), H5Tclose, "read", place.path, place.words()};
   const hssize_t size = H5Sget_simple_extent_npoints(space);
-  const bool is_expected =
-      H5Tget_class(type) == expected && (expected != H5T_STRING || H5Tis_variable_str(type) > 0);
+  const bool is_expected = H5Tget_class(type) == expected && (expected != H5T_STRING || H5Tis_variable_str(type) > 0);
   if (!is_expected || size < 0 || size > largest)
-    throw core::IoError(fmt::format("cannot read {} in {}: it is not as the file format says", place.words(),
-                                    place.path.string()));
+    throw core::IoError(
+        fmt::format("cannot read {} in {}: it is not as the file format says", place.words(), place.path.string()));
   return static_cast<std::size_t>(size);
 }
 
@@ -66,8 +65,7 @@ void File::write_attribute(const std::string& object, const std::string& name, c
   hdf5::write(place, text_type(path_), scalar_space(place), &pointer);
 }
 
-void File::write_attribute(const std::string& object, const std::string& name,
-                           const std::vector<std::string>& value) {
+void File::write_attribute(const std::string& object, const std::string& name, const std::vector<std::string>& value) {
   const Place place{id_, path_, object, name};
   std::vector<const char*> pointers;
   for (const std::string& text : value) pointers.push_back(text.c_str());
@@ -111,8 +109,7 @@ std::vector<std::uint64_t> File::numbers_attribute(const std::string& object, co
   const Place place{id_, path_, object, name};
   const Handle attribute = open_attribute(place);
   std::vector<std::uint64_t> values(checked_size(place, attribute, H5T_INTEGER));
-  if (!values.empty() && H5Aread(attribute, H5T_STD_U64LE, values.data()) < 0)
-    fail("read", path_, place.words());
+  if (!values.empty() && H5Aread(attribute, H5T_STD_U64LE, values.data()) < 0) fail("read", path_, place.words());
   return values;
 }
 

@@ -50,8 +50,7 @@ std::vector<std::string> datasets_of(hid_t file, const std::filesystem::path& na
       static_cast<std::vector<std::string>*>(target)->push_back(fmt::format("/{}", path));
     return 0;
   };
-  if (H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, keep, &paths, H5O_INFO_BASIC) < 0)
-    fail("list", name, "its objects");
+  if (H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, keep, &paths, H5O_INFO_BASIC) < 0) fail("list", name, "its objects");
   return paths;
 }
 

@@ -26,8 +26,8 @@ void fail(std::string_view action, const std::filesystem::path& file, std::strin
   };
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &reason);
   reason = essence_of(reason);
-  throw core::IoError(fmt::format("cannot {} {} in {}{}{}", action, object, file.string(),
-                                  reason.empty() ? "" : ": ", reason));
+  throw core::IoError(
+      fmt::format("cannot {} {} in {}{}{}", action, object, file.string(), reason.empty() ? "" : ": ", reason));
 }
 
 Handle text_type(const std::filesystem::path& file) {

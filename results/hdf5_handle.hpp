@@ -20,8 +20,7 @@ class Handle {
   using Close = herr_t (*)(hid_t);
 
   /// Throws as `fail` does if the call that made the identifier failed.
-  Handle(hid_t id, Close closer, std::string_view action, const std::filesystem::path& file,
-         std::string_view object)
+  Handle(hid_t id, Close closer, std::string_view action, const std::filesystem::path& file, std::string_view object)
       : id_(id), close_(closer) {
     if (id_ < 0) fail(action, file, object);
   }

@@ -26,8 +26,7 @@ template <typename Number>
 FactorValue parse(const hdf5::File& file, const std::string& text) {
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  require(error == std::errc() && end == text.data() + text.size(), file,
-          "a value under /axes is not a number");
+  require(error == std::errc() && end == text.data() + text.size(), file, "a value under /axes is not a number");
   return number;
 }
 
@@ -89,8 +88,7 @@ void write_cells(hdf5::File& file, const Header& header) {
 std::vector<CellInfo> read_cells(const hdf5::File& file, const std::vector<Axis>& axes) {
   const auto hashes = file.read_text("/cells/hash");
   const auto indices = file.read<std::uint64_t>("/cells/index");
-  require(indices.size() == hashes.size() * axes.size(), file,
-          "/cells/index has another length than /cells/hash");
+  require(indices.size() == hashes.size() * axes.size(), file, "/cells/index has another length than /cells/hash");
   std::vector<CellInfo> cells;
   for (std::size_t c = 0; c < hashes.size(); ++c) {
     CellInfo cell{hashes[c], {}};
@@ -106,16 +104,14 @@ std::vector<CellInfo> read_cells(const hdf5::File& file, const std::vector<Axis>
 
 /// One text member of each entry of a list, as a dataset.
 template <typename Info>
-void write_column(hdf5::File& file, const std::string& path, const std::vector<Info>& list,
-                  std::string Info::*member) {
+void write_column(hdf5::File& file, const std::string& path, const std::vector<Info>& list, std::string Info::*member) {
   std::vector<std::string> texts;
   for (const Info& info : list) texts.push_back(info.*member);
   file.write(path, texts);
 }
 
 template <typename Info>
-void read_column(const hdf5::File& file, const std::string& path, std::vector<Info>& list,
-                 std::string Info::*member) {
+void read_column(const hdf5::File& file, const std::string& path, std::vector<Info>& list, std::string Info::*member) {
   std::vector<std::string> texts = file.read_text(path);
   if (list.empty()) list.resize(texts.size());
   require(list.size() == texts.size(), file, "the datasets of a list differ in length");

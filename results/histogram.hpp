@@ -6,8 +6,8 @@
 
 namespace ridgeloc::results {
 
-/// Histogram of non-negative values on a fixed logarithmic grid: octaves 2^-40 .. 2^20, each cut into 32 equal bins, one
-/// bin for everything below (zero included) and one for everything above (infinite included). NaN is not counted.
+/// Histogram of non-negative values on a fixed logarithmic grid: octaves 2^-40 .. 2^20, each cut into 32 equal bins,
+/// one bin for everything below (zero included) and one for everything above (infinite included). NaN is not counted.
 ///
 /// Counts are integers, so histograms merge exactly in any order. Only the range of bins in use is kept.
 class Histogram {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace ridgeloc::results {
 namespace {
@@ -16,7 +15,7 @@ constexpr double z = normal_quantile_975;
 double student_quantile_975(std::uint64_t degrees_of_freedom) {
   constexpr double confidence = 0.95;
   if (degrees_of_freedom == 0) return nan;
-  if (degrees_of_freedom == 1) return std::tan(std::numbers::pi / 2.0 * confidence);
+  if (degrees_of_freedom == 1) return 12.706204736174698;  // tan(0.95 pi / 2)
   if (degrees_of_freedom == 2) return confidence * std::sqrt(2.0 / (1.0 - confidence * confidence));
   constexpr double z2 = z * z;
   constexpr double g1 = z * (z2 + 1.0) / 4.0;

@@ -13,8 +13,7 @@ namespace ridgeloc::results {
 namespace {
 
 std::size_t bytes_of(const Row& row) {
-  std::size_t bytes =
-      sizeof(Row) + sizeof(std::uint64_t) * (row.digests.size() + row.statistics.events.size());
+  std::size_t bytes = sizeof(Row) + sizeof(std::uint64_t) * (row.digests.size() + row.statistics.events.size());
   for (const MetricStatistics& metric : row.statistics.metrics)
     bytes += sizeof(MetricStatistics) + sizeof(std::uint64_t) * metric.histogram.counts().size();
   return bytes;
@@ -34,13 +33,11 @@ void Ledger::require_valid(const Row& row) const {
   const bool is_aligned = std::has_single_bit(row.blocks) && row.first_block % row.blocks == 0;
   const bool is_complete = row.blocks == 1 ? trials > 0 && trials <= block_trials_ : is_full(row);
   if (!is_aligned || !is_complete || row.digests.size() != row.blocks)
-    throw std::invalid_argument(
-        fmt::format("{} blocks from {} with {} trials and {} digests are not a run of blocks", row.blocks,
-                    row.first_block, trials, row.digests.size()));
+    throw std::invalid_argument(fmt::format("{} blocks from {} with {} trials and {} digests are not a run of blocks",
+                                            row.blocks, row.first_block, trials, row.digests.size()));
 }
 
-Ledger::Rows::const_iterator Ledger::covering(std::size_t cell, std::size_t method,
-                                              std::uint64_t block) const {
+Ledger::Rows::const_iterator Ledger::covering(std::size_t cell, std::size_t method, std::uint64_t block) const {
   auto position = rows_.upper_bound({cell, method, block});
   if (position == rows_.begin()) return rows_.end();
   const Row& row = (--position)->second;
@@ -53,8 +50,7 @@ bool Ledger::contains(std::size_t cell, std::size_t method, std::uint64_t block)
 }
 
 void Ledger::require_equal(const Row& outer, const Row& inner) const {
-  const auto begin =
-      outer.digests.begin() + static_cast<std::ptrdiff_t>(inner.first_block - outer.first_block);
+  const auto begin = outer.digests.begin() + static_cast<std::ptrdiff_t>(inner.first_block - outer.first_block);
   const auto difference = std::mismatch(inner.digests.begin(), inner.digests.end(), begin);
   if (difference.first == inner.digests.end()) return;
   const auto offset = static_cast<std::uint64_t>(difference.first - inner.digests.begin());

@@ -95,8 +95,7 @@ Columns read_columns(const hdf5::File& file, const Schema& schema) {
   Columns columns;
   const auto read = [&file](const char* name, auto& column, std::size_t size) {
     column = file.read<typename std::decay_t<decltype(column)>::value_type>(path_of(name));
-    if (column.size() != size)
-      fail(file, fmt::format("has {} values in {} instead of {}", column.size(), name, size));
+    if (column.size() != size) fail(file, fmt::format("has {} values in {} instead of {}", column.size(), name, size));
   };
   const std::size_t rows = file.read<std::uint64_t>(path_of("cell")).size();
   const std::size_t metrics = schema.metrics.size();
@@ -125,8 +124,7 @@ MetricStatistics metric_at(const hdf5::File& file, const Columns& columns, std::
   metric.beyond = columns.beyond[i];
   metric.min = columns.min[i];
   metric.max = columns.max[i];
-  Counts counts =
-      piece(columns.histogram_count, columns.histogram_offset[i], columns.histogram_offset[i + 1]);
+  Counts counts = piece(columns.histogram_count, columns.histogram_offset[i], columns.histogram_offset[i + 1]);
   const std::uint32_t first_bin = columns.first_bin[i];
   if (first_bin > Histogram::bins || counts.size() > Histogram::bins - first_bin)
     fail(file, "has a histogram with bins outside the grid");
@@ -140,11 +138,9 @@ Row row_at(const hdf5::File& file, const Columns& columns, const Header& header,
     fail(file, "has a row of an unknown cell or method");
   row.statistics.trials = columns.trials[r];
   const std::size_t events = header.schema.events.size();
-  if (columns.reports_events[r] != 0)
-    row.statistics.events = piece(columns.events, r * events, (r + 1) * events);
+  if (columns.reports_events[r] != 0) row.statistics.events = piece(columns.events, r * events, (r + 1) * events);
   const std::size_t metrics = header.schema.metrics.size();
-  for (std::size_t m = 0; m < metrics; ++m)
-    row.statistics.metrics.push_back(metric_at(file, columns, r * metrics + m));
+  for (std::size_t m = 0; m < metrics; ++m) row.statistics.metrics.push_back(metric_at(file, columns, r * metrics + m));
   row.digests = piece(columns.digest, columns.digest_offset[r], columns.digest_offset[r + 1]);
   return row;
 }

@@ -64,8 +64,7 @@ void require_intact(const fs::path& path) {
 
 void append(std::vector<std::uint8_t>& status, std::vector<double>& values, const TrialColumns& columns) {
   status.insert(status.end(), columns.status.begin(), columns.status.end());
-  for (const std::vector<double>& metric : columns.metrics)
-    values.insert(values.end(), metric.begin(), metric.end());
+  for (const std::vector<double>& metric : columns.metrics) values.insert(values.end(), metric.begin(), metric.end());
 }
 
 void write_columns(hdf5::File& file, const std::vector<TrialColumns>& list, std::size_t metrics) {
@@ -104,10 +103,9 @@ std::vector<PartReader::Entry> read_entries(const hdf5::File& file, std::size_t 
   std::uint64_t value_offset = 0;
   for (std::size_t i = 0; i < cell.size(); ++i) {
     const auto flags = has_metric.begin() + static_cast<std::ptrdiff_t>(i * metrics);
-    PartReader::Entry entry{
-        cell[i],       method[i],          block[i],
-        trials[i],     has_status[i] != 0, {flags, flags + static_cast<std::ptrdiff_t>(metrics)},
-        status_offset, value_offset};
+    PartReader::Entry entry{cell[i],       method[i],          block[i],
+                            trials[i],     has_status[i] != 0, {flags, flags + static_cast<std::ptrdiff_t>(metrics)},
+                            status_offset, value_offset};
     if (entry.has_status) status_offset += entry.trials;
     for (const std::uint8_t given : entry.has_metric) value_offset += given * entry.trials;
     entries.push_back(std::move(entry));
@@ -118,8 +116,7 @@ std::vector<PartReader::Entry> read_entries(const hdf5::File& file, std::size_t 
 /// Whether a part may go into the result that the header describes.
 void require_same_study(const hdf5::File& file, const Header& header) {
   const std::string name = file.path().string();
-  if (file.text_attribute("/", "filetype") != filetype)
-    throw damaged(file.path(), "it is not a part of a result");
+  if (file.text_attribute("/", "filetype") != filetype) throw damaged(file.path(), "it is not a part of a result");
   if (const std::uint64_t version = file.number_attribute("/", "version"); version != format_version)
     throw core::InputError(
         fmt::format("{} has format version {}, this program writes {}; finish with the program that began, "
@@ -129,17 +126,15 @@ void require_same_study(const hdf5::File& file, const Header& header) {
   const std::string folder = file.path().parent_path().string();
   if (file.text_attribute("/", "study_sha256") != sha256_hex(header.study_toml))
     throw core::InputError(fmt::format(
-        "{} holds unfinished work of another study; finish that one, delete the folder, or choose another -o",
-        folder));
+        "{} holds unfinished work of another study; finish that one, delete the folder, or choose another -o", folder));
   if (const auto version = file.number_attribute("/", "experiment_version");
       version != static_cast<std::uint64_t>(header.experiment_version))
     throw core::InputError(
-        fmt::format("{} was computed by version {} of the experiment, this program has {}; delete the folder",
-                    folder, version, header.experiment_version));
+        fmt::format("{} was computed by version {} of the experiment, this program has {}; delete the folder", folder,
+                    version, header.experiment_version));
   if (const std::string isa = file.text_attribute("/", "isa"); isa != header.isa)
-    throw core::InputError(
-        fmt::format("{} was computed with the instruction set {}; go on with --isa {}, or delete the folder",
-                    folder, isa, isa));
+    throw core::InputError(fmt::format(
+        "{} was computed with the instruction set {}; go on with --isa {}, or delete the folder", folder, isa, isa));
 }
 
 }  // namespace

@@ -19,22 +19,19 @@ namespace fs = std::filesystem;
 hdf5::File open_result(const fs::path& path) {
   const std::string name = path.string();
   std::error_code error;
-  if (!fs::exists(path, error))
-    throw core::InputError(fmt::format("{} does not exist; check the path", name));
+  if (!fs::exists(path, error)) throw core::InputError(fmt::format("{} does not exist; check the path", name));
   if (fs::is_directory(path, error))
     throw core::InputError(fmt::format("{} is a folder; name a result file (.h5)", name));
   if (!hdf5::is_hdf5(path))
     throw core::InputError(fmt::format("{} is not an HDF5 file; name a result of `ridgeloc run`", name));
   hdf5::File file = hdf5::File::open(path);
   if (!file.has_attribute("/", "filetype") || file.text_attribute("/", "filetype") != layout::filetype)
-    throw core::InputError(
-        fmt::format("{} is HDF5, but no ridgeloc result; name a result of `ridgeloc run`", name));
+    throw core::InputError(fmt::format("{} is HDF5, but no ridgeloc result; name a result of `ridgeloc run`", name));
   const std::vector<std::uint64_t> version = file.numbers_attribute("/", "version");
   if (version.size() != 2) throw core::IoError(fmt::format("{} has no version", name));
   if (version[0] > layout::major_version)
-    throw core::InputError(
-        fmt::format("{} has format version {}.{}, this program reads up to {}.x; update ridgeloc", name,
-                    version[0], version[1], layout::major_version));
+    throw core::InputError(fmt::format("{} has format version {}.{}, this program reads up to {}.x; update ridgeloc",
+                                       name, version[0], version[1], layout::major_version));
   return file;
 }
 
@@ -45,21 +42,18 @@ auto with_result(const fs::path& path, Read&& read) {
   try {
     return read(open_result(path));
   } catch (const core::IoError& error) {
-    throw core::InputError(fmt::format("{} is truncated or damaged; compute it again or restore it ({})",
-                                       path.string(), error.what()));
+    throw core::InputError(
+        fmt::format("{} is truncated or damaged; compute it again or restore it ({})", path.string(), error.what()));
   }
 }
 
-std::vector<std::uint64_t> trial_numbers(const hdf5::File& file, const std::string& group,
-                                         const Header& header) {
+std::vector<std::uint64_t> trial_numbers(const hdf5::File& file, const std::string& group, const Header& header) {
   const auto blocks = file.read<std::uint64_t>(group + "/block");
   const auto counts = file.read<std::uint64_t>(group + "/block_trials");
-  if (blocks.size() != counts.size())
-    throw core::IoError(fmt::format("the datasets of {} differ in length", group));
+  if (blocks.size() != counts.size()) throw core::IoError(fmt::format("the datasets of {} differ in length", group));
   std::vector<std::uint64_t> numbers;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    if (counts[b] > header.block_trials)
-      throw core::IoError(fmt::format("{} has an impossible block", group));
+    if (counts[b] > header.block_trials) throw core::IoError(fmt::format("{} has an impossible block", group));
     for (std::uint64_t t = 0; t < counts[b]; ++t) numbers.push_back(blocks[b] * header.block_trials + t);
   }
   return numbers;
@@ -80,8 +74,7 @@ TrialTable read_table(const hdf5::File& file, std::size_t cell, std::size_t meth
   const Header header = read_header(file);
   if (cell >= header.cells.size() || method >= header.methods.size())
     throw core::InputError(fmt::format("{} has {} cells and {} methods; there is no cell {} with method {}",
-                                       file.path().string(), header.cells.size(), header.methods.size(), cell,
-                                       method));
+                                       file.path().string(), header.cells.size(), header.methods.size(), cell, method));
   TrialTable table;
   table.metrics.resize(header.schema.metrics.size());
   const std::string group = layout::trials_group(cell, header.methods[method].label);
@@ -89,8 +82,8 @@ TrialTable read_table(const hdf5::File& file, std::size_t cell, std::size_t meth
   table.trial = trial_numbers(file, group, header);
   table.status = read_column<std::uint8_t>(file, group + "/status", table.trial.size());
   for (std::size_t m = 0; m < table.metrics.size(); ++m)
-    table.metrics[m] = read_column<double>(file, fmt::format("{}/{}", group, header.schema.metrics[m].name),
-                                           table.trial.size());
+    table.metrics[m] =
+        read_column<double>(file, fmt::format("{}/{}", group, header.schema.metrics[m].name), table.trial.size());
   return table;
 }
 
@@ -131,8 +124,7 @@ std::string data_digest(const fs::path& path) {
 }
 
 std::string sealed_digest(const fs::path& path) {
-  return with_result(
-      path, [](const hdf5::File& file) { return file.text_attribute("/", layout::digest_attribute); });
+  return with_result(path, [](const hdf5::File& file) { return file.text_attribute("/", layout::digest_attribute); });
 }
 
 }  // namespace ridgeloc::results

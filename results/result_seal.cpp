@@ -33,8 +33,7 @@ void write_provenance(hdf5::File& file, const Header& header, const Provenance& 
   file.write_attribute(group, "threads", std::uint64_t{provenance.threads});
   file.write_attribute(group, "date", provenance.date);
   file.create_group(group + "/libraries");
-  for (const auto& [name, version] : provenance.libraries)
-    file.write_attribute(group + "/libraries", name, version);
+  for (const auto& [name, version] : provenance.libraries) file.write_attribute(group + "/libraries", name, version);
   file.create_group(group + "/wall_time_s");
   for (const auto& [phase, seconds] : provenance.wall_time_s)
     file.write_attribute(group + "/wall_time_s", phase, seconds);
@@ -44,10 +43,9 @@ using Columns = std::vector<const TrialColumns*>;
 
 /// Joins a column of all blocks; a block that lacks it while another has it is filled with `missing`.
 template <typename T, typename ColumnOf>
-void write_joined(hdf5::File& file, const std::string& path, const Columns& blocks, T missing,
-                  ColumnOf&& column_of, hdf5::Layout layout) {
-  if (std::ranges::all_of(blocks, [&](const TrialColumns* block) { return column_of(*block).empty(); }))
-    return;
+void write_joined(hdf5::File& file, const std::string& path, const Columns& blocks, T missing, ColumnOf&& column_of,
+                  hdf5::Layout layout) {
+  if (std::ranges::all_of(blocks, [&](const TrialColumns* block) { return column_of(*block).empty(); })) return;
   std::vector<T> joined;
   for (const TrialColumns* block : blocks) {
     const std::vector<T>& column = column_of(*block);
@@ -69,13 +67,13 @@ void write_method_trials(hdf5::File& file, const Header& header, const Columns& 
   file.write(group + "/block", numbers);
   file.write(group + "/block_trials", counts);
   write_joined(
-      file, group + "/status", blocks, std::uint8_t{0},
-      [](const TrialColumns& c) -> auto& { return c.status; }, hdf5::Layout::Compressed);
+      file, group + "/status", blocks, std::uint8_t{0}, [](const TrialColumns& c) -> auto& { return c.status; },
+      hdf5::Layout::Compressed);
   for (std::size_t m = 0; m < header.schema.metrics.size(); ++m)
     write_joined(
         file, fmt::format("{}/{}", group, header.schema.metrics[m].name), blocks,
-        std::numeric_limits<double>::quiet_NaN(),
-        [m](const TrialColumns& c) -> auto& { return c.metrics[m]; }, hdf5::Layout::Contiguous);
+        std::numeric_limits<double>::quiet_NaN(), [m](const TrialColumns& c) -> auto& { return c.metrics[m]; },
+        hdf5::Layout::Contiguous);
 }
 
 void write_cell_trials(hdf5::File& file, const Header& header, const std::vector<TrialColumns>& cell) {
@@ -90,8 +88,7 @@ void write_cell_trials(hdf5::File& file, const Header& header, const std::vector
 
   file.create_group(layout::trials_group(cell.front().cell));
   for (auto begin = sorted.begin(); begin != sorted.end();) {
-    const auto end =
-        std::find_if(begin, sorted.end(), [&](const auto* c) { return c->method != (*begin)->method; });
+    const auto end = std::find_if(begin, sorted.end(), [&](const auto* c) { return c->method != (*begin)->method; });
     write_method_trials(file, header, Columns(begin, end));
     begin = end;
   }
@@ -99,27 +96,24 @@ void write_cell_trials(hdf5::File& file, const Header& header, const std::vector
 
 }  // namespace
 
-void write_result(const fs::path& path, const Header& header, const Ledger& ledger,
-                  const ColumnSource& columns, const Provenance& provenance) {
+void write_result(const fs::path& path, const Header& header, const Ledger& ledger, const ColumnSource& columns,
+                  const Provenance& provenance) {
   TemporaryFile temporary(path);
   hdf5::File file = hdf5::File::create(temporary.path());
   file.write_attribute("/", "filetype", std::string(layout::filetype));
-  file.write_attribute("/", "version",
-                       std::vector<std::uint64_t>{layout::major_version, layout::minor_version});
+  file.write_attribute("/", "version", std::vector<std::uint64_t>{layout::major_version, layout::minor_version});
   write_header(file, header);
   write_summary(file, summarize(header, ledger));
   write_ledger(file, ledger, header.schema);
   file.create_group("/trials");
-  for (std::size_t cell = 0; cell < header.cells.size(); ++cell)
-    write_cell_trials(file, header, columns(cell));
+  for (std::size_t cell = 0; cell < header.cells.size(); ++cell) write_cell_trials(file, header, columns(cell));
   write_provenance(file, header, provenance);
   const std::string digest = file.written_digest();
   file.write_attribute("/", layout::digest_attribute, digest);
   file.close();
   if (hdf5::File::open(temporary.path()).content_digest() != digest)
-    throw core::IoError(
-        fmt::format("{} reads back with other values than were written; check the disk and run again",
-                    temporary.path().string()));
+    throw core::IoError(fmt::format("{} reads back with other values than were written; check the disk and run again",
+                                    temporary.path().string()));
   temporary.publish();
 }
 

@@ -42,6 +42,10 @@ ResultWriter::ResultWriter(fs::path path, Header header)
     throw core::InputError(
         fmt::format("cannot create the folder {}: {}; choose another -o", folder_.string(), error.message()));
   lock_ = std::make_unique<FolderLock>(folder_);
+  if (fs::exists(path_, error)) {
+    remove_folder_if_empty();
+    throw core::InputError(fmt::format("{} exists; choose another -o or remove it", path_.string()));
+  }
   adopt_parts();
 }
 
@@ -49,11 +53,11 @@ ResultWriter::~ResultWriter() {
   if (lock_ == nullptr) return;  // sealed
   try {
     flush();
-    if (parts_.empty()) remove_folder_if_empty();
   } catch (const std::exception&) {
     // Nobody is left to tell. The finished parts are on the disk; the blocks of this one will be computed
     // again.
   }
+  remove_folder_if_empty();
 }
 
 Part ResultWriter::new_part() const {
@@ -157,8 +161,10 @@ void ResultWriter::seal(const Provenance& provenance) {
     return columns;
   };
   write_result(path_, header_, ledger, columns_of, provenance);
-  for (const fs::path& part : parts_) fs::remove(part);
-  for (const fs::path& part : damaged_parts_) fs::remove(part);
+  // The result is complete: what cannot be removed now is only in the way.
+  std::error_code ignored;
+  for (const fs::path& part : parts_) fs::remove(part, ignored);
+  for (const fs::path& part : damaged_parts_) fs::remove(part, ignored);
   remove_folder_if_empty();
   lock_.reset();
 }

@@ -27,9 +27,9 @@ namespace ridgeloc::results {
 /// `contains`, `add` and `flush` may be called from any thread.
 class ResultWriter {
  public:
-  /// Checks that `path` can be written, and takes over the parts that a stopped run of the same study has
-  /// left. Throws core::InputError if it cannot, if the parts are of another study, or if another run is
-  /// writing them.
+  /// Checks that `path` can be written and does not exist, and takes over the parts that a stopped run of the same
+  /// study has left. Throws core::InputError if it cannot or does, if the parts are of another study, or if another
+  /// run is writing them.
   ResultWriter(std::filesystem::path path, Header header);
   /// Keeps what was added as a part if that is possible, and removes the folder of parts if there are none.
   ~ResultWriter();

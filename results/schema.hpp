@@ -20,8 +20,8 @@ struct Axis {
 
 /// One point of the sweep grid.
 struct CellInfo {
-  std::string hash;                 ///< identity: hash of its factor values
-  std::vector<std::size_t> indices; ///< per axis, the index into `Axis::values`
+  std::string hash;                  ///< identity: hash of its factor values
+  std::vector<std::size_t> indices;  ///< per axis, the index into `Axis::values`
 };
 
 /// One solver with its settings.
@@ -34,13 +34,13 @@ struct MethodInfo {
 /// A real-valued quantity measured per trial and method.
 ///
 /// A NaN value means that the trial is not in the metric's population (an error over converged trials, say);
-/// an infinite value means that it is, and failed.
+/// an infinite value that it is, and has no finite value.
 struct MetricInfo {
   std::string name;
   std::string unit;
   std::string description;
-  bool heavy_tailed = false;  ///< tables and figures lead with the median, not the mean
-  bool whole_numbers = false; ///< values are counts: quantiles are whole numbers too
+  bool heavy_tailed = false;   ///< tables and figures lead with the median, not the mean
+  bool whole_numbers = false;  ///< values are counts: quantiles are whole numbers too
 };
 
 /// A yes-or-no outcome per trial and method; its rate is reported.
@@ -60,12 +60,12 @@ struct Schema {
 struct FigureSpec {
   std::string name;  ///< file name without extension
   std::string title;
-  std::string x;                        ///< a sweep axis
-  std::vector<std::string> y;           ///< metrics or events
-  std::string statistic;                ///< "mean" or "median"; empty: the metric's leading one
-  std::vector<std::string> group;       ///< axes or "method": one line per combination
-  std::string facet;                    ///< axis or "method": one panel per value; empty: one panel
-  std::vector<std::string> methods;     ///< restricts to these labels; empty: all that have the metric
+  std::string x;                     ///< a sweep axis
+  std::vector<std::string> y;        ///< metrics or events
+  std::string statistic;             ///< "mean" or "median"; empty: the metric's leading one
+  std::vector<std::string> group;    ///< axes or "method": one line per combination
+  std::string facet;                 ///< axis or "method": one panel per value; empty: one panel
+  std::vector<std::string> methods;  ///< restricts to these labels; empty: all that have the metric
   bool log_y = false;
 };
 
@@ -77,10 +77,10 @@ struct Header {
   std::string study_hash;
   std::string study_toml;  ///< the fully resolved study, a study file in its own right
   std::uint64_t seed = 0;
-  std::uint64_t trials = 0;            ///< per cell
-  std::uint64_t block_trials = 0;      ///< trials per block
+  std::uint64_t trials = 0;               ///< per cell
+  std::uint64_t block_trials = 0;         ///< trials per block
   std::uint64_t trial_column_blocks = 0;  ///< blocks of each cell whose per-trial columns are kept
-  std::string isa = "baseline";        ///< instruction set that computed the numbers
+  std::string isa = "baseline";           ///< instruction set that computed the numbers
   Schema schema;
   std::vector<Axis> axes;
   std::vector<CellInfo> cells;

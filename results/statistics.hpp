@@ -12,11 +12,11 @@ namespace ridgeloc::results {
 
 /// All that is kept of one metric over a set of trials.
 struct MetricStatistics {
-  Moments moments;            ///< over finite values up to `largest_moment_value`
-  std::uint64_t beyond = 0;   ///< values above that, or infinite: in the quantiles, not in the moments
+  Moments moments;           ///< over finite values up to `largest_moment_value`
+  std::uint64_t beyond = 0;  ///< values above that, or infinite: in the quantiles, not in the moments
   double min = std::numeric_limits<double>::infinity();
   double max = -std::numeric_limits<double>::infinity();
-  Histogram histogram;        ///< all values but NaN
+  Histogram histogram;  ///< all values but NaN
 
   friend bool operator==(const MetricStatistics&, const MetricStatistics&) = default;
 };

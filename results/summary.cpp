@@ -25,8 +25,8 @@ SummaryRow blank_row(std::size_t cell, std::size_t method, std::string metric, s
   row.method = method;
   row.metric = std::move(metric);
   row.unit = std::move(unit);
-  for (double* field : {&row.mean, &row.mcse, &row.lo, &row.hi, &row.sd, &row.sd_mcse, &row.min, &row.p05,
-                        &row.p25, &row.p50, &row.p75, &row.p95, &row.p50_lo, &row.p50_hi, &row.max}) {
+  for (double* field : {&row.mean, &row.mcse, &row.lo, &row.hi, &row.sd, &row.sd_mcse, &row.min, &row.p05, &row.p25,
+                        &row.p50, &row.p75, &row.p95, &row.p50_lo, &row.p50_hi, &row.max}) {
     *field = nan;
   }
   return row;
@@ -65,8 +65,7 @@ void fill_quantiles(SummaryRow& row, const MetricInfo& info, const MetricStatist
   row.p50_hi = within(interval.hi);
 }
 
-SummaryRow metric_row(std::size_t cell, std::size_t method, const MetricInfo& info,
-                      const MetricStatistics& metric) {
+SummaryRow metric_row(std::size_t cell, std::size_t method, const MetricInfo& info, const MetricStatistics& metric) {
   SummaryRow row = blank_row(cell, method, info.name, info.unit);
   row.n = metric.moments.n + metric.beyond;
   row.beyond = metric.beyond;
@@ -126,8 +125,7 @@ std::vector<SummaryRow> summary_rows(const Summary& summary) {
       for (std::size_t i = 0; i < schema.metrics.size(); ++i) {
         if (!reported[method].metrics[i]) continue;
         const bool present = i < statistics.metrics.size();
-        rows.push_back(
-            metric_row(cell, method, schema.metrics[i], present ? statistics.metrics[i] : no_metric));
+        rows.push_back(metric_row(cell, method, schema.metrics[i], present ? statistics.metrics[i] : no_metric));
       }
       if (!reported[method].events) continue;
       for (std::size_t i = 0; i < schema.events.size(); ++i) {

@@ -41,8 +41,7 @@ std::string path_of(const std::string& name) {
   return "/summary/" + name;
 }
 
-void describe(hdf5::File& file, const std::string& name, const std::string& unit,
-              const std::string& description) {
+void describe(hdf5::File& file, const std::string& name, const std::string& unit, const std::string& description) {
   file.write_attribute(path_of(name), "long_name", description);
   file.write_attribute(path_of(name), "units", unit);
 }

@@ -29,14 +29,13 @@ std::string population_text(const SummaryRow& row) {
 Cells metric_cells(const SummaryRow& row) {
   const std::string range = row.p05 == row.p05 ? fmt::format("{:.3g} .. {:.3g}", row.p05, row.p95) : "-";
   return {row.unit == "1" ? row.metric : fmt::format("{} [{}]", row.metric, row.unit), population_text(row),
-          flagged(text_with_error(row.mean, row.mcse), row),
-          text_with_interval(row.p50, row.p50_lo, row.p50_hi), range};
+          flagged(text_with_error(row.mean, row.mcse), row), text_with_interval(row.p50, row.p50_lo, row.p50_hi),
+          range};
 }
 
 Cells event_cells(const SummaryRow& row) {
   const std::string count = row.n == 0 ? "-" : fmt::format("{:.0f}", row.mean * static_cast<double>(row.n));
-  return {row.metric, population_text(row), flagged(text_with_interval(row.mean, row.lo, row.hi), row), count,
-          ""};
+  return {row.metric, population_text(row), flagged(text_with_interval(row.mean, row.lo, row.hi), row), count, ""};
 }
 
 bool is_event(const Schema& schema, const std::string& name) {
@@ -104,8 +103,7 @@ std::string summary_table(const Summary& summary) {
   std::string text = heading(summary.header);
   for (const Block& block : blocks) {
     const std::string cell = cell_text(summary.header, block.cell);
-    text +=
-        fmt::format("\n{}{}{}\n", cell, cell.empty() ? "" : ": ", summary.header.methods[block.method].label);
+    text += fmt::format("\n{}{}{}\n", cell, cell.empty() ? "" : ": ", summary.header.methods[block.method].label);
     for (const Cells& cells : block.lines) text += line_text(cells, widths);
   }
   return text;

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <vector>
+#include <limits>
 
 namespace ridgeloc::results {
 namespace {
@@ -50,16 +49,18 @@ std::string cell_text(const Header& header, std::size_t cell) {
 std::string text_with_error(double value, double error) {
   if (std::isnan(value)) return "-";
   if (std::isnan(error)) return fmt::format("{:.4g} ± ?", value);
-  if (error == 0.0 || !std::isfinite(error) || !std::isfinite(value)) {
-    return fmt::format("{:.6g} ± {:.2g}", value, error);
+  // An error below the rounding of the value says that there is none.
+  const bool is_exact = error <= std::abs(value) * std::numeric_limits<double>::epsilon();
+  if (is_exact || !std::isfinite(error) || !std::isfinite(value)) {
+    return fmt::format("{:.6g} ± {:.2g}", value, is_exact ? 0.0 : error);
   }
   const int decimals = decimals_for(error);
   if (is_plain(value, decimals)) return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, error, decimals);
   const int exponent = static_cast<int>(std::floor(std::log10(std::max(std::abs(value), error))));
   const double scale = std::pow(10.0, -exponent);
   const int scaled_decimals = decimals_for(error * scale);
-  return fmt::format("({:.{}f} ± {:.{}f})e{:+03}", value * scale, scaled_decimals, error * scale,
-                     scaled_decimals, exponent);
+  return fmt::format("({:.{}f} ± {:.{}f})e{:+03}", value * scale, scaled_decimals, error * scale, scaled_decimals,
+                     exponent);
 }
 
 std::string text_with_interval(double value, double lo, double hi) {
@@ -78,21 +79,6 @@ std::size_t display_width(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // continuation bytes take no column
   }));
-}
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> previous(b.size() + 1);
-  std::vector<std::size_t> current(b.size() + 1);
-  std::iota(previous.begin(), previous.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    current[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = previous[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      current[j] = std::min({previous[j] + 1, current[j - 1] + 1, replaced});
-    }
-    std::swap(previous, current);
-  }
-  return previous[b.size()];
 }
 
 }  // namespace ridgeloc::results

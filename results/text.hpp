@@ -27,7 +27,4 @@ std::string text_with_interval(double value, double lo, double hi);
 /// Columns that UTF-8 text takes on a terminal, for text without wide or combining characters.
 std::size_t display_width(std::string_view text);
 
-/// How many single-character edits lie between two words: used to name the nearest valid names.
-std::size_t edit_distance(std::string_view a, std::string_view b);
-
 }  // namespace ridgeloc::results

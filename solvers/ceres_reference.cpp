@@ -92,8 +92,7 @@ class Reference {
   Eigen::Vector3d gradient(double* cost) {
     std::vector<double> values;
     double unused = 0.0;
-    const bool ok =
-        usable_ && problem_.Evaluate({}, cost != nullptr ? cost : &unused, nullptr, &values, nullptr);
+    const bool ok = usable_ && problem_.Evaluate({}, cost != nullptr ? cost : &unused, nullptr, &values, nullptr);
     if (ok) return {values[0], values[1], values[2]};
     if (cost != nullptr) *cost = not_defined;
     return Eigen::Vector3d::Constant(not_defined);
@@ -196,8 +195,7 @@ void refine(Reference& reference) {
     const Eigen::Vector3d full_step = factor.solve(gradient);
     Eigen::Vector3d next = gradient;
     for (int halving = 0; halving <= max_halvings && !(next.norm() < gradient.norm()); ++halving) {
-      const Eigen::Vector3d moved =
-          Eigen::Vector3d::Map(before.data()) - std::ldexp(1.0, -halving) * full_step;
+      const Eigen::Vector3d moved = Eigen::Vector3d::Map(before.data()) - std::ldexp(1.0, -halving) * full_step;
       reference.move_to({moved[0], moved[1], moved[2]});
       next = reference.gradient(nullptr);
     }
@@ -211,8 +209,8 @@ void refine(Reference& reference) {
 
 }  // namespace
 
-Minimizer minimize(const core::ProblemBatch& problems, std::size_t trial, const Position& start,
-                   ReferenceLoss loss, double theta_m) {
+Minimizer minimize(const core::ProblemBatch& problems, std::size_t trial, const Position& start, ReferenceLoss loss,
+                   double theta_m) {
   Minimizer result;
   result.estimate = start;
   result.cost = not_defined;
@@ -231,16 +229,16 @@ Minimizer minimize(const core::ProblemBatch& problems, std::size_t trial, const 
   return result;
 }
 
-Position gradient(const core::ProblemBatch& problems, std::size_t trial, const Position& estimate,
-                  ReferenceLoss loss, double theta_m) {
+Position gradient(const core::ProblemBatch& problems, std::size_t trial, const Position& estimate, ReferenceLoss loss,
+                  double theta_m) {
   Reference reference(problems, trial, loss, theta_m);
   reference.move_to(estimate);
   const Eigen::Vector3d value = reference.gradient(nullptr);
   return {value[0], value[1], value[2]};
 }
 
-double gradient_rounding_bound(const core::ProblemBatch& problems, std::size_t trial,
-                               const Position& estimate, ReferenceLoss loss, double theta_m) {
+double gradient_rounding_bound(const core::ProblemBatch& problems, std::size_t trial, const Position& estimate,
+                               ReferenceLoss loss, double theta_m) {
   Reference reference(problems, trial, loss, theta_m);
   reference.move_to(estimate);
   return reference.rounding_bound();

@@ -40,13 +40,12 @@ struct Minimizer {
 /// input (negative scores, a start on one of the points) gives converged = false. Prints nothing, throws
 /// nothing but std::bad_alloc, and may run in several threads at once.
 Minimizer minimize(const core::ProblemBatch& problems, std::size_t trial,
-                   const std::array<double, core::position_parameters>& start, ReferenceLoss loss,
-                   double theta_m);
+                   const std::array<double, core::position_parameters>& start, ReferenceLoss loss, double theta_m);
 
 /// J'We of one trial at `estimate` as Ceres evaluates it; NaN where it is not defined.
-std::array<double, core::position_parameters> gradient(
-    const core::ProblemBatch& problems, std::size_t trial,
-    const std::array<double, core::position_parameters>& estimate, ReferenceLoss loss, double theta_m);
+std::array<double, core::position_parameters> gradient(const core::ProblemBatch& problems, std::size_t trial,
+                                                       const std::array<double, core::position_parameters>& estimate,
+                                                       ReferenceLoss loss, double theta_m);
 
 /// Largest |J'We| that rounding alone can leave at the representable position nearest to a stationary point:
 /// 4 eps sum w_i (r_i + m_i + |x|), r_i = |p_i - x|.
@@ -55,7 +54,7 @@ std::array<double, core::position_parameters> gradient(
 /// and the rounding of x itself moves r_i by eps |x| / 2; the direction and the sum add terms in |e_i| <= r_i
 /// + m_i that the factor 4 has room for. NaN where J'We is not defined.
 double gradient_rounding_bound(const core::ProblemBatch& problems, std::size_t trial,
-                               const std::array<double, core::position_parameters>& estimate,
-                               ReferenceLoss loss, double theta_m);
+                               const std::array<double, core::position_parameters>& estimate, ReferenceLoss loss,
+                               double theta_m);
 
 }  // namespace ridgeloc::solvers

@@ -17,7 +17,7 @@ struct KContext {
   core::Vector3<Real> ols_step;  ///< dx_ls: one least-squares step at x_k (only where `needs_ols_step`)
   Real sigma2;                   ///< e_ls' W e_ls / n at x_k - dx_ls
   core::Vector3<Real> x;         ///< iterate x_k
-  int iteration = 0;             ///< from 0
+  Real iteration;                ///< steps taken before this one: differs between lanes
   core::Index<Real> trial;
   const core::Oracle* oracle = nullptr;
   const SolverOptions& options;

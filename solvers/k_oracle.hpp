@@ -14,10 +14,9 @@ template <class Real>
 core::Vector3<Real> perturbed(const core::Vector3<Real>& k, const KContext<Real>& c) {
   const double distance = 1.0 / c.options.similarity - 1.0;
   if (distance == 0.0) return k;
-  const bool per_iteration = c.options.k_error_draw == KErrorDraw::PerIteration;
-  const std::uint64_t draw = per_iteration ? static_cast<std::uint64_t>(c.iteration) : 0;
+  const Real draw = c.options.k_error_draw == KErrorDraw::PerIteration ? c.iteration : Real(0.0);
   core::Vector3<Real> u =
-      core::unit_vector(core::uniform_pair(c.oracle->k_error.block(c.oracle->first_trial + c.trial, draw)));
+      core::unit_vector(core::uniform_pair(c.oracle->k_error, c.oracle->first_trial, c.trial, draw));
   core::Vector3<Real> result;
   for (std::size_t i = 0; i < 3; ++i) {
     if (c.options.k_error == KError::Positive) u[i] = core::abs(u[i]);

@@ -20,7 +20,8 @@ template <class F>
 void with_k_estimator(std::size_t index, F&& f) {
   [&]<std::size_t... I>(std::index_sequence<I...>) {
     (void)((I == index && (f(std::get<I>(KEstimators{})), true)) || ...);
-  }(std::make_index_sequence<std::tuple_size_v<KEstimators>>{});
+  }
+  (std::make_index_sequence<std::tuple_size_v<KEstimators>>{});
 }
 
 }  // namespace ridgeloc::solvers

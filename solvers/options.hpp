@@ -41,7 +41,7 @@ struct SolverOptions {
   double similarity = 1.0;         ///< oracle estimators: eta of the K used against K'; 1 is K' itself
   KError k_error = KError::Signed;
   KErrorDraw k_error_draw = KErrorDraw::PerIteration;
-  KTrue k_true = KTrue::Elem;      ///< the K' that the reported similarity refers to
+  KTrue k_true = KTrue::Elem;  ///< the K' that the reported similarity refers to
   Eta eta = Eta::Squared;
 };
 

@@ -9,9 +9,33 @@
 
 namespace ridgeloc::solvers {
 
+namespace {
+
+void solve_ols(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
+               core::SolutionBatch& out) {
+  solve_batch(Ols{}, problems, options, oracle, out);
+}
+
+void solve_lm(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
+              core::SolutionBatch& out) {
+  solve_batch(LazyLevenbergMarquardt{}, problems, options, oracle, out);
+}
+
+void solve_rr(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
+              core::SolutionBatch& out) {
+  solve_batch(Ridge{options, oracle, false}, problems, options, oracle, out);
+}
+
+void solve_rrr(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
+               core::SolutionBatch& out) {
+  solve_batch(Ridge{options, oracle, true}, problems, options, oracle, out);
+}
+
+}  // namespace
+
 std::span<const SolverEntry> solver_registry() {
-  static const std::vector<std::string_view> ridge_options = {"k",  "k_fixed", "similarity", "k_error", "k_error_draw",
-                                                              "ktrue", "eta"};
+  static const std::vector<std::string_view> ridge_options = {
+      "k", "k_fixed", "similarity", "k_error", "k_error_draw", "ktrue", "eta"};
   static const std::vector<std::string_view> robust_options = [] {
     auto options = ridge_options;
     options.emplace_back("theta_m");
@@ -37,7 +61,8 @@ std::span<const KEstimatorEntry> k_estimator_registry() {
     return std::array{KEstimatorEntry{std::tuple_element_t<I, KEstimators>::name,
                                       std::tuple_element_t<I, KEstimators>::summary,
                                       std::tuple_element_t<I, KEstimators>::needs_oracle}...};
-  }(std::make_index_sequence<std::tuple_size_v<KEstimators>>{});
+  }
+  (std::make_index_sequence<std::tuple_size_v<KEstimators>>{});
   return registry;
 }
 

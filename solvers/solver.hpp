@@ -13,7 +13,8 @@
 namespace ridgeloc::solvers {
 
 /// Solves every problem of a batch. The only contract a solver has: no allocation beyond growing `out`, no logging, no
-/// exception; a numerical failure is a status. `oracle` is null outside simulations. Thread safe: a solver has no state.
+/// exception; a numerical failure is a status. `oracle` is null outside simulations. Thread safe: a solver has no
+/// state.
 using Solver = void (*)(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
                         core::SolutionBatch& out);
 

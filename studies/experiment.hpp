@@ -65,6 +65,9 @@ class Experiment {
   virtual std::span<const Setting> settings() const = 0;
   virtual const results::Schema& schema() const = 0;
 
+  /// The end of a template study: a [sweep], [[method]]s and a [[figure]] worth starting from.
+  virtual std::string_view example() const = 0;
+
   /// Solvers that a [[method]] may name, and which settings each of them reads.
   virtual std::vector<std::string> solvers() const = 0;
   virtual std::vector<std::string> settings_of_solver(std::string_view solver) const = 0;

@@ -10,8 +10,7 @@ namespace ridgeloc::studies {
 namespace {
 
 results::FigureSpec read_figure(const toml::table& table, const Study& study, std::size_t number) {
-  check_keys(table, "[[figure]]",
-             {"name", "title", "x", "y", "statistic", "group", "facet", "methods", "log_y"});
+  check_keys(table, "[[figure]]", {"name", "title", "x", "y", "statistic", "group", "facet", "methods", "log_y"});
   std::vector<std::string> axes;
   for (const SweepAxis& axis : study.sweep) axes.push_back(axis.setting->name);
   std::vector<std::string> groups = axes;
@@ -36,7 +35,8 @@ results::FigureSpec read_figure(const toml::table& table, const Study& study, st
   results::FigureSpec figure;
   const toml::node* name = table.get("name");
   figure.name = name != nullptr ? read_text(*name, "figure.name")
-                                : number == 1 ? study.name : fmt::format("{}-{}", study.name, number);
+                : number == 1   ? study.name
+                                : fmt::format("{}-{}", study.name, number);
   if (!name_allowed(figure.name)) {
     fail_at(name != nullptr ? *name : static_cast<const toml::node&>(table),
             fmt::format("figure name \"{}\" is not allowed: letters, digits, '-', '_' and '.'", figure.name));

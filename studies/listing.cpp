@@ -30,7 +30,8 @@ std::vector<Listed> metrics() {
 
 std::vector<Listed> experiments() {
   std::vector<Listed> entries;
-  for (const Experiment* e : experiment_registry()) entries.push_back({std::string(e->name()), std::string(e->summary())});
+  for (const Experiment* e : experiment_registry())
+    entries.push_back({std::string(e->name()), std::string(e->summary())});
   return entries;
 }
 

@@ -62,9 +62,8 @@ void read_method(const toml::table& table, Study& study) {
 void read_methods(const toml::table& document, const std::string& origin, Study& study) {
   const toml::node* node = document.get("method");
   if (node == nullptr || (node->is_array() && node->as_array()->empty())) {
-    throw core::InputError(
-        fmt::format("{}: no [[method]]; add at least one with solver = \"...\" (allowed: {})", origin,
-                    fmt::join(study.experiment->solvers(), ", ")));
+    throw core::InputError(fmt::format("{}: no [[method]]; add at least one with solver = \"...\" (allowed: {})",
+                                       origin, fmt::join(study.experiment->solvers(), ", ")));
   }
   for (const toml::table* table : read_tables(*node, "method")) read_method(*table, study);
 
@@ -74,7 +73,8 @@ void read_methods(const toml::table& document, const std::string& origin, Study&
       return std::ranges::find(settings, axis.setting->name) != settings.end();
     });
     if (axis.setting->per_method && !read) {
-      fail_at(*document.get("sweep"), fmt::format("sweep.{} changes nothing: no [[method]] reads it", axis.setting->name));
+      fail_at(*document.get("sweep"),
+              fmt::format("sweep.{} changes nothing: no [[method]] reads it", axis.setting->name));
     }
   }
 }

@@ -18,7 +18,9 @@ namespace {
 /// Digits of a cell's or method's hash: 64 bits tell a million of them apart with a chance of 3e-8 of a collision.
 constexpr std::size_t short_hash_digits = 16;
 
-std::string short_hash(const std::string& content) { return results::sha256_hex(content).substr(0, short_hash_digits); }
+std::string short_hash(const std::string& content) {
+  return results::sha256_hex(content).substr(0, short_hash_digits);
+}
 
 results::FactorValue factor_value(const Value& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;
@@ -155,7 +157,8 @@ Plan make_plan(const Study& study) {
   Plan plan;
   plan.cells = make_cells(study);
   if (plan.cells.empty()) {
-    throw core::InputError(fmt::format("{}: sweep.exclude leaves no cell at all; remove one of its tables", study.name));
+    throw core::InputError(
+        fmt::format("{}: sweep.exclude leaves no cell at all; remove one of its tables", study.name));
   }
   for (std::size_t i = 0; i < plan.cells.size(); ++i) plan.cells[i].index = i;
   plan.header = make_header(study, plan.cells);

@@ -16,10 +16,6 @@ namespace ridgeloc::studies {
 
 namespace {
 
-/// |J'We| / sum w (m) below which a stop counts as stationary. A Gauss-Newton step below the 0.05 m stop leaves at
-/// most |dx|^2 / (2 r) = 3e-4 m of mean gradient at r = 5 m; a solver that is really held back leaves more.
-constexpr double stationary_gradient_m = 1e-3;
-
 constexpr std::string_view scene_label = "scene";
 
 // Columns of the schema, in its order.
@@ -29,7 +25,7 @@ results::Schema make_schema() {
   results::Schema schema;
   schema.metrics = {
       {"error_m", "m", "position error of converged trials", false},
-      {"error_all_m", "m", "position error of all trials", true},
+      {"error_all_m", "m", "position error of all trials, of failed ones at their last finite iterate", true},
       {"iterations", "1", "iterations, a failed trial counting the limit", false, true},
       {"eta_first", "1", "similarity of K to the true K at the first iteration", false},
       {"eta_last", "1", "similarity of K to the true K at the last iteration", false},
@@ -42,7 +38,10 @@ results::Schema make_schema() {
     schema.events.push_back({std::string(status), "trials that ended as " + std::string(status)});
   }
   schema.statuses = schema.events.size();
-  schema.events.push_back({"stationary", "trials that converged to a stationary point"});
+  // A small |J'We| alone would not tell a solver that has arrived from one that is held back where J'WJ is small; the
+  // step that it leads to without K or damping does.
+  schema.events.push_back(
+      {"stationary", "converged trials whose next step without K or damping is shorter than the step tolerance"});
   return schema;
 }
 
@@ -66,6 +65,30 @@ class Ranging : public Experiment {
   const results::Schema& schema() const override {
     static const results::Schema schema = make_schema();
     return schema;
+  }
+
+  std::string_view example() const override {
+    return R"([sweep]
+points = [3, 5, 7]
+range_sigma_m = [0.1, 0.3, 0.5]
+
+[[method]]
+solver = "ols"
+
+[[method]]
+solver = "rr"
+
+[[method]]
+solver = "rrr"
+
+[[figure]]
+x = "points"
+y = "error_m"
+statistic = "median"
+group = "range_sigma_m"
+facet = "method"
+methods = ["ols", "rr", "rrr"]
+)";
   }
 
   std::vector<std::string> solvers() const override {
@@ -92,8 +115,8 @@ class Ranging : public Experiment {
 
     scratch.problems.reshape(settings.points, range.count);
     sim::place_objects(settings.view, sim::SceneStreams(seed, settings.view), range.first, scratch.problems);
-    sim::measure_ranges(*settings.noise, settings.range_sigma_m, core::Stream(seed, "noise"), range.first,
-                        scratch.problems);
+    sim::measure_ranges(*settings.noise, settings.range_sigma_m, core::Stream(seed, "noise", settings.noise->name),
+                        range.first, scratch.problems);
 
     core::Oracle oracle;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -142,7 +165,7 @@ class Ranging : public Experiment {
     sink.status(m, s.status);
     scratch.flags.resize(s.trials());
     for (std::size_t t = 0; t < s.trials(); ++t) {
-      scratch.flags[t] = converged(t) && s.gradient_m[t] <= stationary_gradient_m ? 1 : 0;
+      scratch.flags[t] = converged(t) && s.remaining_step_m[t] < options.step_tolerance_m ? 1 : 0;
     }
     sink.event(m, core::status_names.size(), scratch.flags);
 
@@ -166,7 +189,7 @@ class Ranging : public Experiment {
     scratch.values.resize(scratch.problems.trials());
     dilution_of_precision(scratch.problems, sim::true_position_m, scratch.values);
     sink.metric(label, Gdop, scratch.values);
-    for (double& value : scratch.values) value *= settings.range_sigma_m;
+    for (double& value : scratch.values) value = std::isinf(value) ? value : value * settings.range_sigma_m;
     sink.metric(label, CrbM, scratch.values);
   }
 };

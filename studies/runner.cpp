@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <chrono>
 #include <memory>
@@ -63,21 +64,25 @@ RunOutcome run_study(const Study& study, const Plan& plan, const std::filesystem
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
   arena.execute([&] {
+    tbb::task_group_context context;
     tbb::parallel_for(
         tbb::blocked_range<std::uint64_t>(0, tasks, 1),
         [&](const tbb::blocked_range<std::uint64_t>& range) {
+          // Without this a stop would still visit every task there is, and there may be billions.
+          if (stop.load(std::memory_order_relaxed)) context.cancel_group_execution();
           for (std::uint64_t task = range.begin(); task != range.end(); ++task) run_task(task);
         },
-        tbb::simple_partitioner{});
+        tbb::simple_partitioner{}, context);
   });
 
   RunOutcome outcome{false, found.load(), computed.load(), writer.warnings()};
-  if (stop.load()) {
+  if (outcome.blocks_found + outcome.blocks_run < plan.blocks_per_cell * plan.cells.size()) {
     writer.flush();
     return outcome;
   }
   provenance.threads = static_cast<unsigned>(threads);
   provenance.wall_time_s.emplace_back("compute", seconds_since(begin));
+  results::complete(provenance);
   writer.seal(provenance);
   outcome.sealed = true;
   return outcome;

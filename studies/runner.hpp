@@ -19,8 +19,8 @@ struct RunProgress {
 };
 
 struct RunOutcome {
-  bool sealed = false;              ///< false: stopped before the end, finished blocks kept
-  std::uint64_t blocks_found = 0;   ///< finished by an earlier run that was killed
+  bool sealed = false;             ///< false: stopped before the end, finished blocks kept
+  std::uint64_t blocks_found = 0;  ///< finished by an earlier run that was killed
   std::uint64_t blocks_run = 0;
   std::vector<std::string> warnings;  ///< one line per damaged part that was found and is computed again
 };

@@ -18,13 +18,13 @@ struct SweepAxis {
 
 /// A study, read and validated: nothing in it is missing, unknown or out of range.
 struct Study {
-  std::string name;   ///< of the file without extension, or of the catalog entry
+  std::string name;  ///< of the file without extension, or of the catalog entry
   std::string title;
   const Experiment* experiment = nullptr;
   std::uint64_t seed = 2018;
-  std::uint64_t trials = 100;           ///< per cell
-  double trial_columns_mib = 64.0;      ///< per-trial columns kept of each cell
-  Values fixed;                         ///< every setting that is not swept
+  std::uint64_t trials = 100;       ///< per cell
+  double trial_columns_mib = 64.0;  ///< per-trial columns kept of each cell
+  Values fixed;                     ///< every setting that is not swept
   std::vector<SweepAxis> sweep;
   std::vector<std::vector<std::string>> zip;  ///< axes that move together instead of being crossed
   std::vector<Values> exclude;                ///< cells with all of these values are left out

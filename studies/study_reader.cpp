@@ -21,10 +21,17 @@ const Setting& study_setting(std::string_view name) {
   constexpr double int64_limit = 9.2e18;
   static const std::vector<Setting> settings = {
       {"", "seed", Kind::Integer, std::int64_t{2018}, 0, int64_limit, {}, "1", "seed of all random numbers", false},
-      {"", "trials", Kind::Integer, std::int64_t{100}, 1, static_cast<double>(max_trials), {}, "1", "trials per cell",
+      {"",
+       "trials",
+       Kind::Integer,
+       std::int64_t{100},
+       1,
+       static_cast<double>(max_trials),
+       {},
+       "1",
+       "trials per cell",
        false},
-      {"store", "trial_columns_mib", Kind::Real, 64.0, 0, 1e6, {}, "MiB", "per-trial columns kept of each cell",
-       false},
+      {"store", "trial_columns_mib", Kind::Real, 64.0, 0, 1e6, {}, "MiB", "per-trial columns kept of each cell", false},
   };
   return *std::ranges::find(settings, name, &Setting::name);
 }

@@ -10,7 +10,9 @@ namespace ridgeloc::studies {
 
 namespace {
 
-std::string quoted(const std::string& text) { return to_toml(Value(text)); }
+std::string quoted(const std::string& text) {
+  return to_toml(Value(text));
+}
 
 std::string quoted_list(const std::vector<std::string>& texts) {
   std::vector<std::string> parts;
@@ -33,7 +35,8 @@ std::string inline_table(const Values& values) {
 void write_sweep(const Study& study, std::string& out) {
   if (study.sweep.empty()) return;
   out += "\n[sweep]\n";
-  for (const SweepAxis& axis : study.sweep) out += fmt::format("{} = {}\n", axis.setting->name, value_list(axis.values));
+  for (const SweepAxis& axis : study.sweep)
+    out += fmt::format("{} = {}\n", axis.setting->name, value_list(axis.values));
   if (!study.zip.empty()) {
     std::vector<std::string> groups;
     for (const auto& group : study.zip) groups.push_back(quoted_list(group));
@@ -101,22 +104,17 @@ std::string template_toml(const Experiment& experiment) {
   for_each_setting(experiment, out, [&](const Setting& s) {
     const std::string unit = s.unit == "1" ? "" : fmt::format(" ({})", s.unit);
     out += fmt::format("# {}{}: {}\n", s.description, unit, accepted(s));
-    // Swept below, so it may not stand here too.
-    const bool swept = s.name == "points" || s.name == "range_sigma_m";
+    // What the example sweeps may not stand here too.
+    const bool swept = experiment.example().find(fmt::format("\n{} = [", s.name)) != std::string_view::npos;
     out += fmt::format("{}{} = {}\n", swept ? "# " : "", s.name, to_toml(s.standard));
   });
   out +=
       "\n# Axes to sweep, crossed: any setting above that you take out there. Values as a list or as a range\n"
-      "# { from = 0.1, to = 0.5, step = 0.1 }. zip = [[\"a\", \"b\"]] moves axes together, exclude = [{ a = 1, b = 2 }]\n"
-      "# leaves cells out.\n"
-      "[sweep]\npoints = [3, 5, 7]\nrange_sigma_m = [0.1, 0.3, 0.5]\n\n"
-      "# Methods, compared on the same trials. A method may set any key of [solver] that its solver reads for itself,\n"
-      "# and is called after its solver unless it has a name.\n";
-  for (const char* solver : {"ols", "rr", "rrr"}) out += fmt::format("[[method]]\nsolver = \"{}\"\n\n", solver);
-  out +=
-      "# Figures, drawn by: ridgeloc plot FILE.h5\n"
-      "[[figure]]\nx = \"points\"\ny = \"error_m\"\ngroup = \"range_sigma_m\"\nfacet = \"method\"\n"
-      "methods = [\"ols\", \"rr\", \"rrr\"]\nstatistic = \"median\"\n";
+      "# { from = 0.1, to = 0.5, step = 0.1 }. zip = [[\"a\", \"b\"]] moves axes together, exclude = [{ a = 1, b = 2 "
+      "}]\n"
+      "# leaves cells out. Methods are compared on the same trials; each may set any key of [solver] that its solver\n"
+      "# reads for itself, and is called after its solver unless it has a name. Figures: ridgeloc plot FILE.h5\n";
+  out += experiment.example();
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/error.hpp"
 #include "studies/sections.hpp"
 #include "studies/toml_document.hpp"
 
@@ -19,7 +20,8 @@ toml::array expand_range(const toml::table& range, const Setting& setting) {
   check_keys(range, label, {"from", "to", "step"});
   const auto part = [&](const char* key) {
     const toml::node* node = range.get(key);
-    if (node == nullptr) fail_at(range, fmt::format("{}: a range takes from, to and step; \"{}\" is missing", label, key));
+    if (node == nullptr)
+      fail_at(range, fmt::format("{}: a range takes from, to and step; \"{}\" is missing", label, key));
     if (!node->is_number() || !std::isfinite(*node->value<double>())) {
       fail_at(*node, fmt::format("{}.{} must be a number", label, key));
     }
@@ -48,13 +50,20 @@ toml::array expand_range(const toml::table& range, const Setting& setting) {
 SweepAxis read_axis(const toml::node& node, const Setting& setting) {
   const std::string label = fmt::format("sweep.{}", setting.name);
   SweepAxis axis{&setting, {}};
+  std::set<std::string> seen;
+  const auto add = [&](Value value, const toml::node& place) {
+    const std::string text = to_toml(value);
+    if (!seen.insert(text).second) fail_at(place, fmt::format("{} lists {} twice", label, text));
+    axis.values.push_back(std::move(value));
+  };
   if (const toml::table* range = node.as_table()) {
     for (const toml::node& value : expand_range(*range, setting)) {
       // Expanded values have no place of their own; a bad one is reported at the range.
       try {
-        axis.values.push_back(read_setting(value, setting, label));
-      } catch (const std::exception&) {
-        fail_at(node, fmt::format("{}: the range leaves what is allowed: {}", label, accepted(setting)));
+        add(read_setting(value, setting, label), node);
+      } catch (const core::InputError&) {
+        fail_at(node,
+                fmt::format("{}: the range repeats a value or leaves what is allowed: {}", label, accepted(setting)));
       }
     }
     return axis;
@@ -64,13 +73,7 @@ SweepAxis read_axis(const toml::node& node, const Setting& setting) {
     fail_at(node, fmt::format("{} must be a list of values or a range {{from=, to=, step=}}", label));
   }
   if (values->empty()) fail_at(node, fmt::format("{} is an empty list; give at least one value or remove it", label));
-  std::set<std::string> seen;
-  for (const toml::node& value : *values) {
-    axis.values.push_back(read_setting(value, setting, label));
-    if (!seen.insert(to_toml(axis.values.back())).second) {
-      fail_at(value, fmt::format("{} lists {} twice", label, to_toml(axis.values.back())));
-    }
-  }
+  for (const toml::node& value : *values) add(read_setting(value, setting, label), value);
   return axis;
 }
 

@@ -32,11 +32,12 @@ toml::node& descend(toml::node& node, const std::string& key, const std::string&
     std::size_t index = 0;
     const auto [end, failure] = std::from_chars(key.data(), key.data() + key.size(), index);
     if (failure == std::errc{} && end == key.data() + key.size() && index < array->size()) return (*array)[index];
-    throw core::InputError(fmt::format("{}: \"{}\" is not a position in a list of {} (they count from 0)", origin, key,
-                                       array->size()));
+    throw core::InputError(
+        fmt::format("{}: \"{}\" is not a position in a list of {} (they count from 0)", origin, key, array->size()));
   }
   if (toml::table* table = node.as_table()) {
-    if (!table->contains(key)) table->insert(key, toml::table{});
+    if (!table->contains(key))
+      table->insert(key, std::move(*toml::parse("new = {}", origin).get_as<toml::table>("new")));
     return *table->get(key);
   }
   throw core::InputError(fmt::format("{}: \"{}\" lies inside a value that is not a table", origin, key));
@@ -54,6 +55,7 @@ void apply_override(toml::table& document, const std::string& text) {
   toml::table parsed;
   try {
     parsed = toml::parse("value = " + value, origin);
+    if (parsed.size() != 1) throw core::InputError(origin + ": expected one KEY=VALUE");
   } catch (const toml::parse_error&) {
     // A bare word: shells eat the quotes that TOML wants.
     parsed = toml::parse(fmt::format("value = {}", to_toml(Value(value))), origin);
@@ -161,12 +163,13 @@ Value read_setting(const toml::node& node, const Setting& setting, const std::st
     const std::string nearest = nearest_name(*node.value<std::string>(), setting.choices);
     if (!nearest.empty()) hint = fmt::format(" (did you mean \"{}\"?)", nearest);
   }
-  fail_at(node, fmt::format("{} = {} is not allowed: {} takes {}{}", label, text_of(node), label, accepted(setting),
-                            hint));
+  fail_at(node,
+          fmt::format("{} = {} is not allowed: {} takes {}{}", label, text_of(node), label, accepted(setting), hint));
 }
 
 std::string read_text(const toml::node& node, const std::string& label, const std::vector<std::string>& choices) {
-  if (!node.is_string()) fail_at(node, fmt::format("{} = {} is not allowed: {} takes a text", label, text_of(node), label));
+  if (!node.is_string())
+    fail_at(node, fmt::format("{} = {} is not allowed: {} takes a text", label, text_of(node), label));
   auto text = *node.value<std::string>();
   if (!choices.empty() && std::ranges::find(choices, text) == choices.end()) {
     fail_at(node, fmt::format("{}: unknown \"{}\"{}", label, text, suggestion(text, choices)));

@@ -32,11 +32,11 @@ struct Setting {
   std::string section;  ///< table of the study file
   std::string name;     ///< unique among all sections
   Kind kind = Kind::Real;
-  Value standard;       ///< default
-  double low = 0.0;     ///< bounds of numbers and of both ends of an interval, inclusive
+  Value standard;    ///< default
+  double low = 0.0;  ///< bounds of numbers and of both ends of an interval, inclusive
   double high = 0.0;
   std::vector<std::string> choices;
-  std::string unit;     ///< "1" where there is none
+  std::string unit;  ///< "1" where there is none
   std::string description;
   bool per_method = false;  ///< may also stand in a [[method]]
 };

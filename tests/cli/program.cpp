@@ -28,7 +28,9 @@ WorkingFolder::WorkingFolder() {
   path_ = mkdtemp(name.data());
 }
 
-WorkingFolder::~WorkingFolder() { fs::remove_all(path_); }
+WorkingFolder::~WorkingFolder() {
+  fs::remove_all(path_);
+}
 
 Outcome WorkingFolder::ridgeloc(const std::string& arguments) const {
   return shell("'" RIDGELOC_PROGRAM "' " + arguments);
@@ -50,9 +52,13 @@ void WorkingFolder::write(const std::string& name, const std::string& text) cons
   std::ofstream(path_ / name, std::ios::binary) << text;
 }
 
-std::string WorkingFolder::read(const std::string& name) const { return contents(path_ / name); }
+std::string WorkingFolder::read(const std::string& name) const {
+  return contents(path_ / name);
+}
 
-bool WorkingFolder::has(const std::string& name) const { return fs::exists(path_ / name); }
+bool WorkingFolder::has(const std::string& name) const {
+  return fs::exists(path_ / name);
+}
 
 std::vector<std::string> WorkingFolder::entries() const {
   std::vector<std::string> names;

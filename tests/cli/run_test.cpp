@@ -23,7 +23,9 @@ y = "error_all_m"
 group = "method"
 )";
 
-std::size_t lines(const std::string& text) { return static_cast<std::size_t>(std::ranges::count(text, '\n')); }
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::count(text, '\n'));
+}
 
 }  // namespace
 
@@ -96,7 +98,8 @@ TEST_CASE("bad input is one line on standard error, exit code 2, and no file") {
       {"run typo.toml", "typo.toml:3: unknown key \"pionts\" in [scene] (did you mean \"points\"?)"},
       {"run empty.toml", "empty.toml:3: sweep.points is an empty list"},
       {"run type.toml", "type.toml:2: trials = 'ten' is not allowed"},
-      {"run range.toml", "range.toml:3: scene.points = 2 is not allowed: scene.points takes a whole number from 3 to 1000"},
+      {"run range.toml",
+       "range.toml:3: scene.points = 2 is not allowed: scene.points takes a whole number from 3 to 1000"},
       {"run missing.toml", "missing.toml: no such study file"},
       {"run fig3", "did you mean \"fig3a\"?"},
       {"run small.toml -o nowhere/x.h5", "nowhere"},
@@ -132,7 +135,8 @@ TEST_CASE("a run stopped by a signal says how to go on, and goes on to the same 
   const WorkingFolder folder;
   folder.write("small.toml", small);
   REQUIRE(folder.ridgeloc("run small.toml --trials 400000 -o whole.h5").exit_code == 0);
-  const Outcome stopped = folder.shell("'" RIDGELOC_PROGRAM "' run small.toml --trials 400000 --threads 1 & "
+  const Outcome stopped = folder.shell("'" RIDGELOC_PROGRAM
+                                       "' run small.toml --trials 400000 --threads 1 & "
                                        "pid=$!; while ! ls small.h5.parts 2>/dev/null; do :; done; "
                                        "kill -TERM $pid; wait $pid");
   REQUIRE(stopped.exit_code == 4);
@@ -141,4 +145,35 @@ TEST_CASE("a run stopped by a signal says how to go on, and goes on to the same 
   CHECK(folder.ridgeloc("run small.toml --trials 400000").exit_code == 0);
   CHECK(results::data_digest(folder.path() / "small.h5") == results::data_digest(folder.path() / "whole.h5"));
   CHECK_FALSE(folder.has("small.h5.parts"));
+}
+
+TEST_CASE("a file-size limit, like a full disk, is one line, exit code 3, and keeps what is finished") {
+  const WorkingFolder folder;
+  folder.write("small.toml", small);
+  // 64 blocks of 512 bytes: less than one part.
+  const Outcome outcome =
+      folder.shell("ulimit -f 64 && '" RIDGELOC_PROGRAM "' run small.toml --trials 50000 --threads 2");
+  INFO(outcome.error);
+  CHECK(outcome.exit_code == 3);
+  CHECK(lines(outcome.error) == 1);
+  CHECK(outcome.error.find("the same command goes on from there") != std::string::npos);
+  CHECK_FALSE(folder.has("small.h5"));
+  CHECK(folder.ridgeloc("run small.toml --trials 50000").exit_code == 0);
+}
+
+TEST_CASE("a stop ends a run of a thousand billion trials at once") {
+  const WorkingFolder folder;
+  folder.write("small.toml", small);
+  const Outcome outcome = folder.shell("timeout -s INT -k 20 1 '" RIDGELOC_PROGRAM "' run small.toml --trials 1e12");
+  CHECK(outcome.exit_code == 124);  // timeout's own; 137 had it needed to kill
+  CHECK(outcome.error.find("stopped;") != std::string::npos);
+}
+
+TEST_CASE("results in the way are found before anything is computed") {
+  const WorkingFolder folder;
+  folder.write("a.toml", small);
+  folder.write("b.toml", small);
+  REQUIRE(folder.ridgeloc("run b.toml --seed 5 -o out/").exit_code == 0);
+  CHECK(folder.ridgeloc("run a.toml b.toml -o out").exit_code == 2);
+  CHECK_FALSE(folder.has("out/a.h5"));
 }

@@ -8,7 +8,9 @@ using namespace ridgeloc::tests;
 
 namespace {
 
-bool contains(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
+bool contains(const std::string& text, const std::string& piece) {
+  return text.find(piece) != std::string::npos;
+}
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -51,8 +53,8 @@ methods = ["rrr", "lm"]
 TEST_CASE("list names what there is") {
   const WorkingFolder folder;
   const std::string all = folder.ridgeloc("list").out;
-  for (const char* name : {"ols", "rrr", "kibria_gm", "oracle_elem", "normal", "eta_first", "converged", "ranging", "fig3a",
-                           "fig3bcd"}) {
+  for (const char* name :
+       {"ols", "rrr", "kibria_gm", "oracle_elem", "normal", "eta_first", "converged", "ranging", "fig3a", "fig3bcd"}) {
     CHECK(contains(all, name));
   }
   CHECK(lines_of(folder.ridgeloc("list solvers").out).size() == 4);
@@ -92,9 +94,10 @@ TEST_CASE("summary shows every cell, method and failure with its error") {
 TEST_CASE("export writes the long form, a row per cell, method and metric") {
   const WithResult folder;
   const auto lines = lines_of(folder.ridgeloc("export result.h5 --csv").out);
-  // 4 cells; rrr: 7 metrics and 7 events, lm: 4 (no K) and 7, scene: 2.
-  REQUIRE(lines.size() == 1 + 4 * (14 + 11 + 2));
-  CHECK(lines[0].starts_with("points,range_sigma_m,method,metric,unit,n,mean,mcse,sd,min,p05,p25,p50,p75,p95,max,lo,hi,trusted"));
+  // 4 cells; rrr: 7 metrics and 6 events, lm: 4 (no K) and 6, scene: 2.
+  REQUIRE(lines.size() == 1 + 4 * (13 + 10 + 2));
+  CHECK(lines[0].starts_with(
+      "points,range_sigma_m,method,metric,unit,n,mean,mcse,sd,min,p05,p25,p50,p75,p95,max,lo,hi,trusted"));
   CHECK(lines[1].starts_with("3,0.1,rrr,error_m,m,"));
   REQUIRE(folder.ridgeloc("export result.h5 -o table.csv").exit_code == 0);
   CHECK(lines_of(folder.read("table.csv")) == lines);
@@ -125,8 +128,9 @@ TEST_CASE("plot draws all figures, or one, in the formats asked for") {
   CHECK(folder.ridgeloc("plot result.h5 -o both.svg").exit_code == 2);
   CHECK(folder.ridgeloc("plot result.h5 --figure rat").exit_code == 2);
   CHECK(folder.ridgeloc("plot result.h5 --figure rate -o picture.jpg").exit_code == 2);
-  CHECK(folder.ridgeloc("plot result.h5 -o nowhere/").exit_code == 2);
+  CHECK(folder.ridgeloc("plot result.h5 -o nowhere/at/all").exit_code == 2);
   CHECK_FALSE(folder.has("nowhere"));
+  CHECK(folder.ridgeloc("plot result.h5 -o pictures --figure rate").out == "pictures/rate.svg\n");
 }
 
 TEST_CASE("help and version are on standard output") {
@@ -136,9 +140,28 @@ TEST_CASE("help and version are on standard output") {
   CHECK(folder.ridgeloc("--version").out.starts_with("ridgeloc 0."));
 }
 
-TEST_CASE("a full disk under standard output is an I/O failure") {
+TEST_CASE("a full disk under standard output is an I/O failure for every verb") {
   const WithResult folder;
-  const auto outcome = folder.shell("'" RIDGELOC_PROGRAM "' export result.h5 > /dev/full");
-  CHECK(outcome.exit_code == 3);
-  CHECK(lines_of(outcome.error).size() == 1);
+  for (const char* verb : {"export result.h5", "export result.h5 --trials", "summary result.h5", "list", "plan fig3a",
+                           "plot result.h5", "run study.toml -o again.h5", "new ranging"}) {
+    INFO(verb);
+    const auto outcome = folder.shell(std::string("'" RIDGELOC_PROGRAM "' ") + verb + " 2>messages > /dev/full");
+    CHECK(outcome.exit_code == 3);
+    CHECK(contains(folder.read("messages"), "ridgeloc: "));
+    CHECK(lines_of(folder.read("messages")).size() <= 2);  // what was run, and what went wrong
+  }
+}
+
+TEST_CASE("output goes through links, to devices, and never over a neighbour's file") {
+  const WithResult folder;
+  folder.write("table.csv.tmp", "precious");
+  REQUIRE(folder.shell("touch real.csv && ln -s real.csv link.csv").exit_code == 0);
+  CHECK(folder.ridgeloc("export result.h5 -o table.csv").exit_code == 0);
+  CHECK(folder.read("table.csv.tmp") == "precious");
+  CHECK(folder.ridgeloc("export result.h5 -o link.csv").exit_code == 0);
+  CHECK(folder.read("real.csv") == folder.read("table.csv"));
+  CHECK(folder.shell("test -L link.csv").exit_code == 0);
+  CHECK(folder.ridgeloc("export result.h5 -o /dev/null").exit_code == 0);
+  CHECK(folder.shell("test -c /dev/null").exit_code == 0);
+  CHECK(folder.ridgeloc("export result.h5 -o $(printf 'x%.0s' $(seq 300)).csv").exit_code == 2);
 }

@@ -50,6 +50,9 @@ TEST_CASE("solve calls a matrix singular by Hadamard's bound, whatever the scale
   const auto scaled = core::solve<double>({1e12, 0.1, 0.1, 2.0, 0.3, 1.0}, {1e12, 2.0, 1.0});
   CHECK_FALSE(scaled.singular);
   CHECK(scaled.x[0] == Approx(1.0));
+  const auto huge = core::solve<double>({1e16, 0.1, 0.1, 2.0, 0.3, 1.0}, {1e16, 2.6, 1.4});
+  CHECK_FALSE(huge.singular);
+  CHECK(huge.x[1] == Approx((2.5 - 0.3 * 1.3) / 1.91));
 }
 
 TEST_CASE("solve answers what is not finite with what is not finite, not with singular") {

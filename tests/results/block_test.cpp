@@ -71,6 +71,5 @@ TEST_CASE("misuse of a block is refused") {
   CHECK_THROWS_AS(sink.event(0, 1, flags), std::invalid_argument);
   CHECK_THROWS_AS(sink.event(0, 4, flags), std::invalid_argument);
   CHECK_THROWS_AS(BlockSink(test::sample_header(), 5, 0, 4), std::invalid_argument);
-  CHECK_THROWS_AS(BlockSink(test::sample_header(), 0, 0, test::sample_block_trials + 1),
-                  std::invalid_argument);
+  CHECK_THROWS_AS(BlockSink(test::sample_header(), 0, 0, test::sample_block_trials + 1), std::invalid_argument);
 }

@@ -93,8 +93,8 @@ TEST_CASE("methods become groups where nothing else tells them apart") {
   FigureSpec spec = synthetic_spec();
   spec.facet = "";
   CHECK(figure_data(synthetic_summary(), spec).groups ==
-        std::vector<std::string>{"range_sigma_m = 0.1, rr", "range_sigma_m = 0.1, rrr",
-                                 "range_sigma_m = 0.5, rr", "range_sigma_m = 0.5, rrr"});
+        std::vector<std::string>{"range_sigma_m = 0.1, rr", "range_sigma_m = 0.1, rrr", "range_sigma_m = 0.5, rr",
+                                 "range_sigma_m = 0.5, rrr"});
   spec.methods = {"rrr"};
   CHECK(figure_data(synthetic_summary(), spec).groups == std::vector<std::string>{"0.1", "0.5"});
 }
@@ -132,16 +132,12 @@ TEST_CASE("unknown names are refused with the nearest valid ones") {
   };
   CHECK(with([](FigureSpec& s) { s.x = "point"; }) ==
         "figure 'errors': x = \"point\" is unknown; valid names: points, range_sigma_m");
-  CHECK(with([](FigureSpec& s) {
-          s.y = {"error"};
-        }).find("y = \"error\" is unknown; valid names: error_m, ") != std::string::npos);
-  CHECK(with([](FigureSpec& s) { s.group = {"methods"}; }).find("valid names: method, ") !=
+  CHECK(with([](FigureSpec& s) { s.y = {"error"}; }).find("y = \"error\" is unknown; valid names: error_m, ") !=
         std::string::npos);
-  CHECK(with([](FigureSpec& s) { s.facet = "range_sigma"; }).find("valid names: range_sigma_m, ") !=
-        std::string::npos);
+  CHECK(with([](FigureSpec& s) { s.group = {"methods"}; }).find("valid names: method, ") != std::string::npos);
+  CHECK(with([](FigureSpec& s) { s.facet = "range_sigma"; }).find("valid names: range_sigma_m, ") != std::string::npos);
   CHECK(with([](FigureSpec& s) { s.methods = {"rrrr"}; }).find("valid names: rrr, rr") != std::string::npos);
-  CHECK(with([](FigureSpec& s) { s.statistic = "meen"; }).find("valid names: mean, median") !=
-        std::string::npos);
+  CHECK(with([](FigureSpec& s) { s.statistic = "meen"; }).find("valid names: mean, median") != std::string::npos);
   CHECK(with([](FigureSpec& s) { s.y.clear(); }) == "figure 'errors': y names no metric");
 }
 

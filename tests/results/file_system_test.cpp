@@ -37,8 +37,7 @@ TEST_CASE("an impossible output path is refused with a line that says what to do
   const test::ScratchFolder folder;
   const fs::path missing = folder / "no/such.h5";
   const auto message = [](const fs::path& path) { return test::message_of([&] { require_writable(path); }); };
-  CHECK(test::lacking(message(missing), {"cannot write " + missing.string(), "does not exist; create it"}) ==
-        "");
+  CHECK(test::lacking(message(missing), {"cannot write " + missing.string(), "does not exist; create it"}) == "");
   CHECK_THROWS_AS(require_writable(missing), core::InputError);
   CHECK(test::lacking(message(folder.path()), {"it is a folder"}) == "");
   write_text(folder / "file", "");

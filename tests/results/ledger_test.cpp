@@ -118,8 +118,7 @@ TEST_CASE("a block given twice must have the same digest") {
   Row other = block_row(header, 2);
   other.digests[0] ^= 1;
   CHECK_THROWS_AS(ledger.insert(other), core::IoError);
-  CHECK(test::lacking(test::message_of([&] { ledger.insert(other); }), {"block 2 of cell 0, method 0"}) ==
-        "");
+  CHECK(test::lacking(test::message_of([&] { ledger.insert(other); }), {"block 2 of cell 0, method 0"}) == "");
 
   Ledger reverse(header.block_trials);
   reverse.insert(other);

@@ -45,8 +45,7 @@ void check_against(const Moments& moments, const std::vector<double>& values) {
   const double n = static_cast<double>(values.size());
   const double rounding = 8.0 * n * epsilon;
   CHECK(moments.n == values.size());
-  CHECK(std::abs(moments.mean - static_cast<double>(exact.mean)) <=
-        rounding * (std::abs(moments.mean) + 1.0));
+  CHECK(std::abs(moments.mean - static_cast<double>(exact.mean)) <= rounding * (std::abs(moments.mean) + 1.0));
   CHECK(std::abs(moments.m2 - static_cast<double>(exact.m2)) <= rounding * (moments.m2 + 1.0));
   CHECK(std::abs(moments.m3 - static_cast<double>(exact.m3)) <= rounding * (n + moments.m4));
   CHECK(std::abs(moments.m4 - static_cast<double>(exact.m4)) <= rounding * (moments.m4 + 1.0));
@@ -74,12 +73,9 @@ TEST_CASE("moments of every length around the accumulator count agree with a lon
 TEST_CASE("moments pass over NaN, infinite and oversized values, wherever they stand") {
   const double limit = largest_moment_value;
   const double infinity = std::numeric_limits<double>::infinity();
-  const double outsiders[] = {std::numeric_limits<double>::quiet_NaN(),
-                              -std::numeric_limits<double>::quiet_NaN(),
-                              infinity,
-                              -infinity,
-                              std::nextafter(limit, infinity),
-                              -std::nextafter(limit, infinity)};
+  const double outsiders[] = {
+      std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::quiet_NaN(), infinity, -infinity,
+      std::nextafter(limit, infinity),          -std::nextafter(limit, infinity)};
   for (const double outsider : outsiders) {
     for (std::size_t place = 0; place < 12; ++place) {
       std::vector<double> values(11, 0.0);

@@ -150,7 +150,7 @@ TEST_CASE("a killed run loses its unfinished part alone and leaves no trace") {
       add(writer, header, tasks[i].first, tasks[i].second);
       if (i == 6) writer.flush();
     }
-    std::ofstream(parts_of(path) / "part-000001.h5.tmp") << "half a part";
+    std::ofstream(parts_of(path) / "part-000001.h5.77.ridgeloc-tmp") << "half a part";
     ::_exit(0);
   }
   int status = 0;
@@ -158,7 +158,7 @@ TEST_CASE("a killed run loses its unfinished part alone and leaves no trace") {
   REQUIRE(status == 0);
 
   ResultWriter writer(path, header);
-  CHECK_FALSE(fs::exists(parts_of(path) / "part-000001.h5.tmp"));
+  CHECK_FALSE(fs::exists(parts_of(path) / "part-000001.h5.77.ridgeloc-tmp"));
   CHECK(writer.adopted_blocks() == 7);
   run_missing(writer, header, tasks);
   writer.seal({});
@@ -286,7 +286,6 @@ TEST_CASE("a writer that took no trial leaves nothing behind") {
 TEST_CASE("two runs cannot write the same result at once") {
   const test::ScratchFolder folder;
   const ResultWriter writer(folder / "result.h5", test::sample_header());
-  const std::string message =
-      test::message_of([&] { ResultWriter(folder / "result.h5", test::sample_header()); });
+  const std::string message = test::message_of([&] { ResultWriter(folder / "result.h5", test::sample_header()); });
   CHECK(test::lacking(message, {"another run is writing"}) == "");
 }

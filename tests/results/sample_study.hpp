@@ -138,8 +138,7 @@ inline BlockSink sample_block(const Header& header, std::size_t cell, std::uint6
 inline std::vector<std::pair<std::size_t, std::uint64_t>> sample_tasks(const Header& header) {
   std::vector<std::pair<std::size_t, std::uint64_t>> tasks;
   for (std::size_t cell = 0; cell < header.cells.size(); ++cell)
-    for (std::uint64_t block = 0; block * header.block_trials < header.trials; ++block)
-      tasks.emplace_back(cell, block);
+    for (std::uint64_t block = 0; block * header.block_trials < header.trials; ++block) tasks.emplace_back(cell, block);
   return tasks;
 }
 

@@ -15,8 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST_CASE("statistics separate the population, the moments and what lies beyond") {
-  const MetricStatistics statistics =
-      statistics_of(std::vector{nan, 2.0, infinity, 1.0, 2e6, 3.0, nan, 3.0, 3.0, 0.5});
+  const MetricStatistics statistics = statistics_of(std::vector{nan, 2.0, infinity, 1.0, 2e6, 3.0, nan, 3.0, 3.0, 0.5});
   CHECK(statistics.moments.n == 6);
   CHECK(statistics.beyond == 2);
   CHECK(statistics.histogram.total() == 8);

@@ -152,8 +152,7 @@ TEST_CASE("what a method reports nowhere is left out; an empty population here s
     silent.metrics[0] = statistics_of(std::vector{nan, nan, nan, nan, nan});
     silent.events.clear();
   }
-  summary.statistics[1].metrics[0] =
-      statistics_of(std::vector{nan, nan, nan, nan, nan});  // cell 0, method rrr
+  summary.statistics[1].metrics[0] = statistics_of(std::vector{nan, nan, nan, nan, nan});  // cell 0, method rrr
   const std::vector<SummaryRow> rows = summary_rows(summary);
   CHECK(rows.size() == 4 * (1 + 5));
   const SummaryRow& empty = row_of(rows, 0, 1, "error_m");

@@ -14,9 +14,8 @@ inline Schema synthetic_schema() {
   Schema schema;
   schema.metrics = {{"error_m", "m", "position error", false},
                     {"error_all_m", "m", "position error, all trials", true}};
-  schema.events = {{"converged", "converged"},
-                   {"max_iterations", "iteration limit reached"},
-                   {"stationary", "stationary"}};
+  schema.events = {
+      {"converged", "converged"}, {"max_iterations", "iteration limit reached"}, {"stationary", "stationary"}};
   schema.statuses = 2;
   return schema;
 }

@@ -57,11 +57,4 @@ TEST_CASE("display width counts characters, not bytes") {
   CHECK(display_width("") == 0);
 }
 
-TEST_CASE("edit distance") {
-  CHECK(edit_distance("error_m", "error_m") == 0);
-  CHECK(edit_distance("eror_m", "error_m") == 1);
-  CHECK(edit_distance("kitten", "sitting") == 3);
-  CHECK(edit_distance("", "abc") == 3);
-}
-
 }  // namespace

@@ -50,9 +50,11 @@ Point start_of(const core::ProblemBatch& problems, std::size_t t) {
 Agreement compare_with_ceres(const char* solver, std::size_t trials, std::size_t points, double sigma_m) {
   constexpr double basin_m = 0.01;
   constexpr double max_condition = 1e4;
-  const auto loss = solvers::ReferenceLoss::WeightedSquares;
+  const bool robust = std::string_view(solver) == "rrr";
+  const auto loss = robust ? solvers::ReferenceLoss::HuberTheta : solvers::ReferenceLoss::WeightedSquares;
   const core::ProblemBatch problems = scenes(trials, points, sigma_m);
   solvers::SolverOptions options;
+  options.k = k_index("fixed");
   options.step_tolerance_m = 1e-10;
   options.max_iterations = 10'000;
   const auto s = solve(solver, problems, options);
@@ -68,13 +70,13 @@ Agreement compare_with_ceres(const char* solver, std::size_t trials, std::size_t
     const double gap = distance(estimate(s, t), minimizer.estimate);
     if (gap > basin_m) continue;
     ++a.same_basin;
-    const Eigen::Vector3d lambda = eigenvalues(problems, t, minimizer.estimate, false);
+    const Eigen::Vector3d lambda = eigenvalues(problems, t, minimizer.estimate, robust);
     if (lambda(2) > max_condition * lambda(0)) continue;
     ++a.conditioned;
     const auto g = solvers::gradient(problems, t, estimate(s, t), loss, theta_m);
-    // Gauss-Newton converges linearly where residuals are not zero, so up to a last step of gradient remains.
     const double bound = solvers::gradient_rounding_bound(problems, t, estimate(s, t), loss, theta_m) +
-                         lambda(2) * options.step_tolerance_m;
+                         lambda(2) * largest_gap_allowed_m;
+    a.arrived += gap <= largest_gap_allowed_m ? 1 : 0;
     a.largest_gap_m = std::max(a.largest_gap_m, gap);
     a.largest_gradient = std::max(a.largest_gradient, std::hypot(g[0], g[1], g[2]) / bound);
   }

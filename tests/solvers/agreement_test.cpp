@@ -1,6 +1,7 @@
 // The solvers against Ceres, the independent reference. RIDGELOC_AGREEMENT_TRIALS is set by the build: few trials among
 // the unit tests, 10^5 among the slow ones.
 
+#include <cmath>
 #include <cstdio>
 
 #include "catch.hpp"
@@ -12,30 +13,48 @@ namespace {
 
 constexpr std::size_t trials = RIDGELOC_AGREEMENT_TRIALS;
 
+void print(const char* solver, std::size_t points, double sigma_m, const Agreement& a) {
+  std::printf(
+      "%s, %zu points, sigma %.1f m: %zu trials, %zu converged, %zu with reference, %zu in its basin, %zu well "
+      "conditioned, %zu of these within 1e-8 m: largest gap %.3g m, largest gradient %.3g of its bound\n",
+      solver, points, sigma_m, a.trials, a.converged, a.reference, a.same_basin, a.conditioned, a.arrived,
+      a.largest_gap_m, a.largest_gradient);
+}
+
 }  // namespace
 
 TEST_CASE("ols and lm, run to the end, meet the minimiser of Ceres") {
   const std::size_t points = GENERATE(3, 5, 7);
+  const double sigma_m = GENERATE(0.1, 0.5);
   for (const char* solver : {"ols", "lm"}) {
-    const Agreement a = compare_with_ceres(solver, trials, points, 0.1);
-    std::printf("%s, %zu points: %zu trials, %zu converged, %zu with reference, %zu in its basin, %zu well conditioned: "
-                "largest gap %.3g m, largest gradient %.3g of its bound\n",
-                solver, points, a.trials, a.converged, a.reference, a.same_basin, a.conditioned, a.largest_gap_m,
-                a.largest_gradient);
-    CHECK(a.largest_gap_m <= 1e-8);
+    const Agreement a = compare_with_ceres(solver, trials, points, sigma_m);
+    print(solver, points, sigma_m, a);
+    CHECK(a.largest_gap_m <= largest_gap_allowed_m);
     CHECK(a.largest_gradient <= 1.0);
-    CHECK(a.same_basin > trials / 2);
-    CHECK(a.conditioned > a.same_basin * 8 / 10);
+    CHECK(a.reference > trials / 2);  // that there is something to compare
+    CHECK(a.conditioned > trials / 2);
   }
+}
+
+TEST_CASE("rrr without a ridge, run to the end, meets the minimiser of Ceres") {
+  // It converges linearly, with factors up to 1: a step below 1e-10 m may leave more than 1e-8 m to go. 1 % did not
+  // arrive in 10^5 trials; a band of five standard deviations above twice that.
+  const std::size_t points = GENERATE(3, 5, 7);
+  const Agreement a = compare_with_ceres("rrr", trials, points, 0.1);
+  print("rrr", points, 0.1, a);
+  const auto conditioned = static_cast<double>(a.conditioned);
+  CHECK(conditioned - static_cast<double>(a.arrived) <= 0.02 * conditioned + 5.0 * std::sqrt(0.02 * conditioned));
+  CHECK(a.conditioned > trials / 2);
 }
 
 TEST_CASE("rr and rrr stay where Ceres' minimiser is, whatever K") {
   const std::size_t points = GENERATE(3, 5, 7);
   for (const char* solver : {"rr", "rrr"}) {
     for (const StepAtMinimizer& s : steps_at_minimizer(solver, trials, points, 0.1)) {
-      std::printf("%s with %s, %zu points: %zu of %zu with reference, %zu singular there, largest step %.3g m, %.3g of "
-                  "what rounding allows\n",
-                  solver, s.k.c_str(), points, s.reference, s.trials, s.singular, s.largest_step_m, s.largest_ratio);
+      std::printf(
+          "%s with %s, %zu points: %zu of %zu with reference, %zu singular there, largest step %.3g m, %.3g of "
+          "what rounding allows\n",
+          solver, s.k.c_str(), points, s.reference, s.trials, s.singular, s.largest_step_m, s.largest_ratio);
       CHECK(s.largest_ratio <= 1.0);
       CHECK(s.reference > trials * 9 / 10);
       // Where three ranges have no common point, J'e = 0 with e != 0 needs a singular J: about one trial in eight.

@@ -71,15 +71,13 @@ TEST_CASE("unusable input and far starts end quietly", "[ceres_reference]") {
       Scene negative = good;
       negative.batch.score(1)[0] = -0.5;
       all_fail = all_fail && fails(negative, negative.start, loss, theta);
-      const Position on_point{good.batch.position(0, 0)[0], good.batch.position(0, 1)[0],
-                              good.batch.position(0, 2)[0]};
+      const Position on_point{good.batch.position(0, 0)[0], good.batch.position(0, 1)[0], good.batch.position(0, 2)[0]};
       all_fail = all_fail && fails(good, on_point, loss, theta);
       all_fail = all_fail && fails(good, {1e200, 0.0, 0.0}, loss, theta);
       for (const double distance : {1e3, 1e6, 1e12, 1e150}) {
         const auto found = solvers::minimize(good.batch, 0, {distance, -distance, distance}, loss, theta);
-        far_is_sane =
-            far_is_sane && std::isfinite(found.estimate[0]) &&
-            (!found.converged || std::hypot(found.estimate[0], found.estimate[1], found.estimate[2]) < 100.0);
+        far_is_sane = far_is_sane && std::isfinite(found.estimate[0]) &&
+                      (!found.converged || std::hypot(found.estimate[0], found.estimate[1], found.estimate[2]) < 100.0);
       }
     }
     const Scene scene = make_scene(5, 0.1, 41);

@@ -58,10 +58,9 @@ Eigen::Matrix3d hessian(const Scene& scene, const Position& x, ReferenceLoss los
     Position down = x;
     up[axis] += h;
     down[axis] -= h;
-    result.col(static_cast<Eigen::Index>(axis)) =
-        (vector(solvers::gradient(scene.batch, 0, up, loss, theta)) -
-         vector(solvers::gradient(scene.batch, 0, down, loss, theta))) /
-        (2 * h);
+    result.col(static_cast<Eigen::Index>(axis)) = (vector(solvers::gradient(scene.batch, 0, up, loss, theta)) -
+                                                   vector(solvers::gradient(scene.batch, 0, down, loss, theta))) /
+                                                  (2 * h);
   }
   return result;
 }
@@ -139,9 +138,8 @@ TEST_CASE("the gradient is the derivative of the objective", "[ceres_reference]"
           Position down = x;
           up[axis] += h;
           down[axis] -= h;
-          const auto difference =
-              static_cast<double>((objective(scene, up, loss) - objective(scene, down, loss)) /
-                                  (static_cast<long double>(up[axis]) - down[axis]));
+          const auto difference = static_cast<double>((objective(scene, up, loss) - objective(scene, down, loss)) /
+                                                      (static_cast<long double>(up[axis]) - down[axis]));
           CHECK(std::abs(gradient[axis] - difference) <= third * h * h / 6 + rounding);
         }
       }
@@ -190,10 +188,8 @@ TEST_CASE("answers are stationary to rounding from ordinary starts", "[ceres_ref
         const auto found = solvers::minimize(scene.batch, 0, scene.start, loss, theta);
         CHECK(found.converged);
         CHECK(found.iterations > 0);
-        CHECK(found.gradient_norm <=
-              solvers::gradient_rounding_bound(scene.batch, 0, found.estimate, loss, theta));
-        CHECK(found.gradient_norm ==
-              vector(solvers::gradient(scene.batch, 0, found.estimate, loss, theta)).norm());
+        CHECK(found.gradient_norm <= solvers::gradient_rounding_bound(scene.batch, 0, found.estimate, loss, theta));
+        CHECK(found.gradient_norm == vector(solvers::gradient(scene.batch, 0, found.estimate, loss, theta)).norm());
       }
     }
   }

@@ -59,7 +59,8 @@ TEST_CASE("lm follows mu: 0, then 1e-3 on the first rejection, ten times on each
       mu /= 10.0;
       acceptances_after += rejections > 0 ? 1 : 0;
     }
-    CHECK(distance(estimate(solve("lm", p, steps(count))), {static_cast<double>(x(0)), static_cast<double>(x(1)), static_cast<double>(x(2))}) < 1e-9);
+    CHECK(distance(estimate(solve("lm", p, steps(count))),
+                   {static_cast<double>(x(0)), static_cast<double>(x(1)), static_cast<double>(x(2))}) < 1e-9);
   }
   CHECK(rejections > 1);
   CHECK(acceptances_after > 1);

@@ -41,7 +41,9 @@ inline Point estimate(const core::SolutionBatch& s, std::size_t trial = 0) {
   return {s.estimate[0][trial], s.estimate[1][trial], s.estimate[2][trial]};
 }
 
-inline double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+inline double distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
 
 inline core::Status status(const core::SolutionBatch& s, std::size_t trial = 0) {
   return static_cast<core::Status>(s.status[trial]);
@@ -55,6 +57,8 @@ inline solvers::SolverOptions steps(int count) {
   return options;
 }
 
-inline std::size_t k_index(const char* name) { return *solvers::find_k_estimator(name); }
+inline std::size_t k_index(const char* name) {
+  return *solvers::find_k_estimator(name);
+}
 
 }  // namespace ridgeloc::tests

@@ -27,7 +27,7 @@ struct Origin {
 
 solvers::KContext<double> context(const Origin& origin, const solvers::SolverOptions& options, const Point& x,
                                   std::size_t trial, int iteration) {
-  return {{}, 0.0, x, iteration, trial, &origin.oracle, options};
+  return {{}, 0.0, x, static_cast<double>(iteration), trial, &origin.oracle, options};
 }
 
 }  // namespace
@@ -125,7 +125,11 @@ TEST_CASE("eta is recorded at the first and last iteration and on average, where
                                solvers::true_k(solvers::KTrue::Elem, x, origin.oracle, 0));
   };
   const double first = eta_at({1, 2, 1.5});
-  const double second = eta_at(estimate(solve("rr", p, [&] { auto o = options; o.max_iterations = 1; return o; }())));
+  const double second = eta_at(estimate(solve("rr", p, [&] {
+    auto o = options;
+    o.max_iterations = 1;
+    return o;
+  }())));
   const auto s = solve("rr", p, options, &origin.oracle);
   CHECK(s.eta_first[0] == first);
   CHECK(s.eta_last[0] == second);

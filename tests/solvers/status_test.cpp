@@ -28,7 +28,7 @@ TEST_CASE("exact measurements lead every solver to the truth") {
     CHECK(status(s) == core::Status::Converged);
     CHECK(distance(estimate(s), {0.2, 0.1, -0.1}) < 1e-8);
     CHECK(s.residual_rms_m[0] < 1e-8);
-    CHECK(s.gradient_m[0] < 1e-8);
+    CHECK(s.remaining_step_m[0] < 1e-8);
   }
 }
 
@@ -86,17 +86,20 @@ TEST_CASE("the iteration limit is a status") {
   CHECK(s.iterations[0] == 2.0);
 }
 
-TEST_CASE("the reported gradient is J'We over the sum of weights at the estimate") {
+TEST_CASE("the remaining step is the undamped one at the estimate, with the solver's own weights") {
   solvers::SolverOptions options = steps(1);
   options.k = k_index("fixed");
-  options.k_fixed = 1e9;  // holds x at the origin to 1e-10
+  options.k_fixed = 1e12;  // holds x at the origin to 1e-12
   const auto p = problem({{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {-2, 0, 0}}, {1.9, 2.1, 1.99, 2.5}, {0, 0, 0});
-  // rr: e = (0.1, -0.1, 0.01, -0.5), g = (-0.6, 0.1, -0.01), sum of weights 4.
-  CHECK(solve("rr", p, options).gradient_m[0] == Approx(std::hypot(0.6, 0.1, 0.01) / 4.0).epsilon(1e-7));
-  // rrr: w = (10, 10, 20, 2), g = (-2, 1, -0.2), sum 42.
-  CHECK(solve("rrr", p, options).gradient_m[0] == Approx(std::hypot(2.0, 1.0, 0.2) / 42.0).epsilon(1e-7));
+  // rr: e = (0.1, -0.1, 0.01, -0.5), J'J = diag(2, 1, 1), J'e = (-0.6, 0.1, -0.01).
+  CHECK(solve("rr", p, options).remaining_step_m[0] == Approx(std::hypot(0.3, 0.1, 0.01)).epsilon(1e-9));
+  // rrr: w = (10, 10, 20, 2), J'WJ = diag(12, 10, 20), J'We = (-2, 1, -0.2).
+  CHECK(solve("rrr", p, options).remaining_step_m[0] == Approx(std::hypot(1.0 / 6.0, 0.1, 0.01)).epsilon(1e-9));
   CHECK(solve("rr", p, options).residual_rms_m[0] ==
-        Approx(std::sqrt((0.01 + 0.01 + 0.0001 + 0.25) / 4.0)).epsilon(1e-7));
+        Approx(std::sqrt((0.01 + 0.01 + 0.0001 + 0.25) / 4.0)).epsilon(1e-9));
+  // On a line of points nothing is known across it.
+  CHECK(solve("rr", problem({{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {1, 2, 3}, {0, 0, 0}), options).remaining_step_m[0] ==
+        infinity);
 }
 
 TEST_CASE("a trial's answer does not depend on its neighbours") {

@@ -76,7 +76,8 @@ TEST_CASE("rrr has no residual weights where points are as many as unknowns") {
 
 TEST_CASE("lm is Gauss-Newton as long as the residual falls") {
   const auto p = axes_problem(0.1, -0.2, 0.3);
-  for (const int count : {1, 2, 3}) CHECK(estimate(solve("lm", p, steps(count))) == estimate(solve("ols", p, steps(count))));
+  for (const int count : {1, 2, 3})
+    CHECK(estimate(solve("lm", p, steps(count))) == estimate(solve("ols", p, steps(count))));
 }
 
 TEST_CASE("lm rejects a step that raises the residual and damps the next ones") {
@@ -94,7 +95,8 @@ TEST_CASE("lm rejects a step that raises the residual and damps the next ones") 
   CHECK(estimate(first) == start);
   CHECK(first.iterations[0] == 1.0);
 
-  // A rejected step never meets the stop rule, however short: with a tolerance of a kilometre the first accepted one does.
+  // A rejected step never meets the stop rule, however short: with a tolerance of a kilometre the first accepted one
+  // does.
   solvers::SolverOptions loose;
   loose.step_tolerance_m = 1000.0;
   const auto stopped = solve("lm", p, loose);

@@ -36,7 +36,9 @@ double correlation_z(const std::vector<double>& a, const std::vector<double>& b)
   return sum / std::sqrt(static_cast<double>(std::min(a.size(), b.size())));
 }
 
-double normal_cdf(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
+double normal_cdf(double z) {
+  return 0.5 * std::erfc(-z / std::sqrt(2.0));
+}
 
 }  // namespace
 
@@ -62,8 +64,7 @@ TEST_CASE("normals follow the normal distribution out into the tails") {
   double distance = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double cdf = normal_cdf(values[i]);
-    distance = std::max({distance, cdf - static_cast<double>(i) / samples,
-                         static_cast<double>(i + 1) / samples - cdf});
+    distance = std::max({distance, cdf - static_cast<double>(i) / samples, static_cast<double>(i + 1) / samples - cdf});
   }
   CHECK(distance * std::sqrt(samples) < 2.4);
   // Counts beyond 2, 3 and 4 sigma on either side are binomial.

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t trials = 200'000;
 
-/// Chi-square of values in [0, 1) over 32 bins against uniform: above 76 with probability 1.1e-5 (31 degrees of freedom).
+/// Chi-square of values in [0, 1) over 32 bins against uniform: above 76 with probability 1.1e-5 (31 degrees of
+/// freedom).
 double chi_square(const std::vector<double>& values) {
   std::array<double, 32> counts{};
   for (const double v : values) counts[static_cast<std::size_t>(v * 32.0)] += 1.0;

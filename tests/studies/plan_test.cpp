@@ -11,8 +11,9 @@ using namespace ridgeloc::studies;
 namespace {
 
 Plan plan(const std::string& sweep, const std::vector<std::string>& overrides = {}) {
-  return make_plan(read_study({"demo", "demo.toml", "experiment = \"ranging\"\ntrials = 10000\n[sweep]\n" + sweep +
-                                                        "\n[[method]]\nsolver = \"rrr\"\n[[method]]\nsolver = \"ols\"\n"},
+  return make_plan(read_study({"demo", "demo.toml",
+                               "experiment = \"ranging\"\ntrials = 10000\n[sweep]\n" + sweep +
+                                   "\n[[method]]\nsolver = \"rrr\"\n[[method]]\nsolver = \"ols\"\n"},
                               overrides));
 }
 
@@ -50,8 +51,8 @@ TEST_CASE("the study hash changes with what changes every number, and with nothi
   const std::string sweep = "points = [3, 5]";
   const auto hash = [&](const std::vector<std::string>& overrides) { return plan(sweep, overrides).header.study_hash; };
   const std::string before = hash({});
-  for (const char* same : {"trials=99", "title=x", "sweep.points=[7]", "store.trial_columns_mib=1", "method.0.theta_m=1",
-                           "solver.max_iterations=50", "method.1.name=other"}) {
+  for (const char* same : {"trials=99", "title=x", "sweep.points=[7]", "store.trial_columns_mib=1",
+                           "method.0.theta_m=1", "solver.max_iterations=50", "method.1.name=other"}) {
     INFO(same);
     CHECK(hash({same}) == before);
   }

@@ -64,8 +64,8 @@ TEST_CASE("a study is read with its defaults filled in") {
 }
 
 TEST_CASE("a resolved study reads back as itself, and so does the template") {
-  for (const std::string& text : {valid, template_toml(*find_experiment("ranging")), find_study("fig3a").text,
-                                  find_study("fig3bcd").text}) {
+  for (const std::string& text :
+       {valid, template_toml(*find_experiment("ranging")), find_study("fig3a").text, find_study("fig3bcd").text}) {
     const std::string resolved = resolved_toml(read(text));
     CHECK(resolved_toml(read(resolved)) == resolved);
     CHECK(make_plan(read(resolved)).header.study_hash == make_plan(read(text)).header.study_hash);
@@ -73,8 +73,8 @@ TEST_CASE("a resolved study reads back as itself, and so does the template") {
 }
 
 TEST_CASE("overrides replace, add and reach into tables and methods") {
-  const Study study = read(valid, {"scene.depth_m=[1, 3]", "trials=77", "noise.range_sigma_m=0.25", "method.0.k=kibria_gm",
-                                   "sweep.points=[4]"});
+  const Study study = read(valid, {"scene.depth_m=[1, 3]", "trials=77", "noise.range_sigma_m=0.25",
+                                   "method.0.k=kibria_gm", "sweep.points=[4]"});
   CHECK(std::get<Interval>(study.fixed.at("depth_m")) == Interval{1, 3});
   CHECK(study.trials == 77);
   CHECK(std::get<double>(study.fixed.at("range_sigma_m")) == 0.25);
@@ -93,7 +93,8 @@ TEST_CASE("each bad study gets one line with file, line, bound and nearest name"
       {with("trials = 10", "trials = 1.5"), "demo.toml:2: trials = 1.5 is not allowed"},
       {with("trials = 10", "trials = \"many\""), "demo.toml:2: trials = 'many' is not allowed"},
       {with("depth_m", "dept_m"), "demo.toml:4: unknown key \"dept_m\" in [scene] (did you mean \"depth_m\"?)"},
-      {with("[2, 8]", "[8, 2]"), "demo.toml:4: scene.depth_m = [ 8, 2 ] is not allowed: scene.depth_m takes two numbers"},
+      {with("[2, 8]", "[8, 2]"),
+       "demo.toml:4: scene.depth_m = [ 8, 2 ] is not allowed: scene.depth_m takes two numbers"},
       {with("[2, 8]", "[2]"), "demo.toml:4: scene.depth_m = [ 2 ] is not allowed"},
       {with("[2, 8]", "[nan, 8]"), "demo.toml:4: scene.depth_m = [ nan, 8 ] is not allowed"},
       {with("[2, 8]", "4"), "demo.toml:4: scene.depth_m = 4 is not allowed"},
@@ -102,33 +103,48 @@ TEST_CASE("each bad study gets one line with file, line, bound and nearest name"
       {with("[3, 5]", "[2, 5]"),
        "demo.toml:6: sweep.points = 2 is not allowed: sweep.points takes a whole number from 3 to 1000"},
       {with("[3, 5]", "5"), "demo.toml:6: sweep.points must be a list of values or a range"},
-      {with("[3, 5]", "{ from = 3, to = 2, step = 1 }"), "demo.toml:6: sweep.points: from 3 to 2 in steps of 1 is no range"},
-      {with("[3, 5]", "{ from = 3, to = 4, step = 0 }"), "demo.toml:6: sweep.points: from 3 to 4 in steps of 0 is no range"},
-      {with("[3, 5]", "{ from = 3, to = 4 }"), "demo.toml:6: sweep.points: a range takes from, to and step; \"step\" is missing"},
-      {with("[3, 5]", "{ from = 3, to = 4, step = 0.5 }"), "demo.toml:6: sweep.points: the range leaves what is allowed"},
-      {with("points = [3, 5]", "similarty = [1]"), "demo.toml:6: unknown key \"similarty\" in [sweep] (did you mean \"similarity\"?)"},
+      {with("[3, 5]", "{ from = 3, to = 2, step = 1 }"),
+       "demo.toml:6: sweep.points: from 3 to 2 in steps of 1 is no range"},
+      {with("[3, 5]", "{ from = 3, to = 4, step = 0 }"),
+       "demo.toml:6: sweep.points: from 3 to 4 in steps of 0 is no range"},
+      {with("[3, 5]", "{ from = 3, to = 4 }"),
+       "demo.toml:6: sweep.points: a range takes from, to and step; \"step\" is missing"},
+      {with("[3, 5]", "{ from = 3, to = 4, step = 0.5 }"),
+       "demo.toml:6: sweep.points: the range repeats a value or leaves what is allowed"},
+      {with("points = [3, 5]", "range_sigma_m = { from = 1, to = 1.0000000001, step = 1e-12 }"),
+       "demo.toml:6: sweep.range_sigma_m: the range repeats a value"},
+      {with("points = [3, 5]", "similarty = [1]"),
+       "demo.toml:6: unknown key \"similarty\" in [sweep] (did you mean \"similarity\"?)"},
       {with("points = [3, 5]", ""), "demo.toml:5: [sweep] names no axis"},
       {with("points = [3, 5]", "theta_m = [1]"), "demo.toml:5: sweep.theta_m changes nothing: no [[method]] reads it"},
       {with("points = [3, 5]", "k_fixed = [1]"), "demo.toml:10: \"k_fixed\" is swept in [sweep] too"},
-      {with("[scene]", "[scene]\npoints = 4"), "demo.toml:4: scene.points is swept in [sweep] too; give it in one place"},
+      {with("[scene]", "[scene]\npoints = 4"),
+       "demo.toml:4: scene.points is swept in [sweep] too; give it in one place"},
       {with("solver = \"rr\"", ""), "demo.toml:7: [[method]] lacks a solver"},
       {with("\"rr\"", "\"rrx\""), "demo.toml:8: solver: unknown \"rrx\" (did you mean \"rr\"?)"},
       {with("\"rr\"", "\"ols\""), "demo.toml:9: unknown key \"k\" in [[method]] with solver \"ols\""},
-      {with("\"fixed\"", "\"fixd\""), "demo.toml:9: k = 'fixd' is not allowed: k takes one of: kibria_gm, fixed, oracle_elem, "
-                                      "oracle_gm (did you mean \"fixed\"?)"},
-      {with("k_fixed = 0.5", "k_fixed = -0.5"), "demo.toml:10: k_fixed = -0.5 is not allowed: k_fixed takes a number from 0 to"},
+      {with("\"fixed\"", "\"fixd\""),
+       "demo.toml:9: k = 'fixd' is not allowed: k takes one of: kibria_gm, fixed, oracle_elem, "
+       "oracle_gm (did you mean \"fixed\"?)"},
+      {with("k_fixed = 0.5", "k_fixed = -0.5"),
+       "demo.toml:10: k_fixed = -0.5 is not allowed: k_fixed takes a number from 0 to"},
       {valid + "name = \"a/b\"\n", "demo.toml:11: method name \"a/b\" is not allowed"},
       {valid + "name = \"scene\"\n", "demo.toml:11: method name \"scene\" is taken by the experiment itself"},
       {valid + "[[method]]\nsolver = \"rr\"\n", "demo.toml:12: two methods are called \"rr\""},
       {"experiment = \"ranging\"\n", "demo.toml: no [[method]]; add at least one"},
       {"experiment = \"ranging\"\nmethod = 3\n", "demo.toml:2: method must be a list of tables: [[method]]"},
-      {valid + "[[figure]]\nx = \"point\"\ny = \"error_m\"\n", "demo.toml:12: figure.x: unknown \"point\" (did you mean \"points\"?)"},
-      {valid + "[[figure]]\nx = \"points\"\ny = \"eror_m\"\n", "demo.toml:13: figure.y: unknown \"eror_m\" (did you mean \"error_m\"?)"},
+      {valid + "[[figure]]\nx = \"point\"\ny = \"error_m\"\n",
+       "demo.toml:12: figure.x: unknown \"point\" (did you mean \"points\"?)"},
+      {valid + "[[figure]]\nx = \"points\"\ny = \"eror_m\"\n",
+       "demo.toml:13: figure.y: unknown \"eror_m\" (did you mean \"error_m\"?)"},
       {valid + "[[figure]]\nx = \"points\"\n", "demo.toml:11: [[figure]] lacks y"},
-      {valid + "[[figure]]\nx = \"points\"\ny = \"error_m\"\nname = \"../evil\"\n", "demo.toml:14: figure name \"../evil\" is not allowed"},
+      {valid + "[[figure]]\nx = \"points\"\ny = \"error_m\"\nname = \"../evil\"\n",
+       "demo.toml:14: figure name \"../evil\" is not allowed"},
       {valid + "[store]\ntrial_columns_mib = -1\n", "demo.toml:12: store.trial_columns_mib = -1 is not allowed"},
-      {with("points = [3, 5]", "points = [3]\nexclude = [{ points = 3 }]"), "demo: sweep.exclude leaves no cell at all"},
-      {with("points = [3, 5]", "points = [3]\nexclude = [{ points = 4 }]"), "sweep.exclude.points is not among the values"},
+      {with("points = [3, 5]", "points = [3]\nexclude = [{ points = 3 }]"),
+       "demo: sweep.exclude leaves no cell at all"},
+      {with("points = [3, 5]", "points = [3]\nexclude = [{ points = 4 }]"),
+       "sweep.exclude.points is not among the values"},
       {with("points = [3, 5]", "points = [3, 4]\nrange_sigma_m = [0.1]\nzip = [[\"points\", \"range_sigma_m\"]]"),
        "demo.toml:8: sweep.zip: points has 2 values and range_sigma_m has 1"},
       {with("points = [3, 5]", "points = [3, 4]\nzip = [[\"points\"]]"), "demo.toml:7: sweep.zip needs two axes"},
@@ -144,6 +160,8 @@ TEST_CASE("a bad override is named as it was given") {
   CHECK(error_of(valid, {"scene.dept_m=1"}).starts_with("--set scene.dept_m=1: unknown key \"dept_m\" in [scene]"));
   CHECK(error_of(valid, {"trials"}) == "--set trials: expected KEY=VALUE, for example scene.depth_m=[2,15]");
   CHECK(error_of(valid, {"method.3.k=fixed"}).starts_with("--set method.3.k=fixed: \"3\" is not a position"));
+  CHECK(error_of(valid, {"foo.bar=1"}).starts_with("--set foo.bar=1: unknown key \"foo\" in the study"));
+  CHECK(error_of(valid, {"seed=1\ntrials=5"}).find("expected one KEY=VALUE") != std::string::npos);
   CHECK(error_of(valid, {"trials.x=1"}).starts_with("--set trials.x=1: "));
 }
 
