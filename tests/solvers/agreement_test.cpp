@@ -1,8 +1,10 @@
-// The solvers against Ceres, the independent reference. RIDGELOC_AGREEMENT_TRIALS is set by the build: few trials among
-// the unit tests, 10^5 among the slow ones.
+// The solvers against Ceres, the independent reference. The build sets the number of trials: few among the unit tests,
+// more among the slow ones. The environment variable RIDGELOC_AGREEMENT_TRIALS asks for another number.
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <string>
 
 #include "catch.hpp"
 #include "tests/solvers/agreement.hpp"
@@ -11,7 +13,12 @@ using namespace ridgeloc::tests;
 
 namespace {
 
-constexpr std::size_t trials = RIDGELOC_AGREEMENT_TRIALS;
+std::size_t number_of_trials() {
+  const char* asked = std::getenv("RIDGELOC_AGREEMENT_TRIALS");
+  return asked == nullptr ? RIDGELOC_AGREEMENT_TRIALS : std::stoul(asked);
+}
+
+const std::size_t trials = number_of_trials();
 
 void print(const char* solver, std::size_t points, double sigma_m, const Agreement& a) {
   std::printf(
