@@ -25,7 +25,7 @@ results::Schema make_schema() {
   results::Schema schema;
   schema.metrics = {
       {"error_m", "m", "position error of converged trials", false},
-      {"error_all_m", "m", "position error of all trials, of failed ones at their last finite iterate", true},
+      {"error_all_m", "m", "position error of all trials", true},
       {"iterations", "1", "iterations, a failed trial counting the limit", false, true},
       {"eta_first", "1", "similarity of K to the true K at the first iteration", false},
       {"eta_last", "1", "similarity of K to the true K at the last iteration", false},

@@ -36,7 +36,10 @@ TEST_CASE("ols and lm, run to the end, meet the minimiser of Ceres") {
   for (const char* solver : {"ols", "lm"}) {
     const Agreement a = compare_with_ceres(solver, trials, points, sigma_m);
     print(solver, points, sigma_m, a);
-    CHECK(a.largest_gap_m <= largest_gap_allowed_m);
+    // Gauss-Newton converges linearly where residuals are not zero, so a last step of 1e-10 m may leave more to go than
+    // the gap allowed: one of 10^5 did at sigma 0.5 m, none at 0.1 m. That five do has a probability below 0.004 per
+    // case at 10^5 trials, and below 1e-7 at the numbers that the build asks for.
+    CHECK(a.conditioned - a.arrived <= (sigma_m > 0.1 ? 4U : 0U));
     CHECK(a.largest_gradient <= 1.0);
     CHECK(a.reference > trials / 2);  // that there is something to compare
     CHECK(a.conditioned > trials / 2);
@@ -44,13 +47,14 @@ TEST_CASE("ols and lm, run to the end, meet the minimiser of Ceres") {
 }
 
 TEST_CASE("rrr without a ridge, run to the end, meets the minimiser of Ceres") {
-  // It converges linearly, with factors up to 1: a step below 1e-10 m may leave more than 1e-8 m to go. 1 % did not
-  // arrive in 10^5 trials; a band of five standard deviations above twice that.
+  // It converges linearly, with factors up to 1: a step below 1e-10 m may leave more than 1e-8 m to go. Of 10^5 trials
+  // 0.06 % did not arrive; five standard deviations above that have a false-alarm rate below 1e-5.
   const std::size_t points = GENERATE(3, 5, 7);
   const Agreement a = compare_with_ceres("rrr", trials, points, 0.1);
   print("rrr", points, 0.1, a);
   const auto conditioned = static_cast<double>(a.conditioned);
-  CHECK(conditioned - static_cast<double>(a.arrived) <= 0.02 * conditioned + 5.0 * std::sqrt(0.02 * conditioned));
+  const double expected = 6e-4 * conditioned;
+  CHECK(conditioned - static_cast<double>(a.arrived) <= expected + 5.0 * std::sqrt(expected) + 3.0);
   CHECK(a.conditioned > trials / 2);
 }
 
@@ -64,8 +68,12 @@ TEST_CASE("rr and rrr stay where Ceres' minimiser is, whatever K") {
           solver, s.k.c_str(), points, s.reference, s.trials, s.singular, s.largest_step_m, s.largest_ratio);
       CHECK(s.largest_ratio <= 1.0);
       CHECK(s.reference > trials * 9 / 10);
-      // Where three ranges have no common point, J'e = 0 with e != 0 needs a singular J: about one trial in eight.
-      CHECK(s.singular <= (points == 3 ? s.reference / 4 : 0));
+      // Where three ranges have no common point, J'e = 0 with e != 0 needs a singular J, and an estimator that takes a
+      // least-squares step stops there: 15.1 % of 10^5 trials. Five standard deviations: a false alarm in 2e6.
+      const bool stops = points == 3 && s.k == "kibria_gm";
+      const auto n = static_cast<double>(s.reference);
+      CHECK(std::fabs(static_cast<double>(s.singular) - (stops ? 0.151 * n : 0.0)) <=
+            (stops ? 5.0 * std::sqrt(0.151 * 0.849 * n) : 0.0));
     }
   }
 }
