@@ -1,16 +1,30 @@
 #include "app/interrupt.hpp"
 
 #include <csignal>
+#include <ctime>
 
 namespace ridgeloc::app {
 
 namespace {
 
-std::atomic<bool> stop_requested{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may use it");
+/// Senders such as timeout(1) and batch systems signal the process and its group: what comes within a second of the
+/// first signal is the same request.
+constexpr std::time_t same_request_s = 1;
 
-void request_stop(int) {
-  stop_requested.store(true);
+std::atomic<bool> stop_requested{false};
+std::atomic<std::time_t> first_signal_s{0};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::time_t>::is_always_lock_free,
+              "a signal handler may use them");
+
+void request_stop(int signal) {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  if (!stop_requested.exchange(true)) {
+    first_signal_s.store(now.tv_sec);
+  } else if (now.tv_sec - first_signal_s.load() > same_request_s) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
 }
 
 }  // namespace
@@ -18,8 +32,7 @@ void request_stop(int) {
 const std::atomic<bool>& stop_on_signals() {
   struct sigaction action {};
   action.sa_handler = request_stop;
-  // One shot: the second signal meets the default, which kills. Interrupted system calls go on.
-  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+  action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   return stop_requested;

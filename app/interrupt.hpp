@@ -4,7 +4,7 @@
 
 namespace ridgeloc::app {
 
-/// Lets SIGINT and SIGTERM ask for a stop instead of killing the program; a second one kills it.
+/// Lets SIGINT and SIGTERM ask for a stop instead of killing the program; another one, seconds later, kills it.
 /// The flag becomes true when a signal has come.
 const std::atomic<bool>& stop_on_signals();
 

@@ -164,6 +164,7 @@ TEST_CASE("a file-size limit, like a full disk, is one line, exit code 3, and ke
 TEST_CASE("a stop ends a run of a thousand billion trials at once") {
   const WorkingFolder folder;
   folder.write("small.toml", small);
+  // timeout signals the program and its group, so that the program gets the signal twice.
   const Outcome outcome = folder.shell("timeout -s INT -k 20 1 '" RIDGELOC_PROGRAM "' run small.toml --trials 1e12");
   CHECK(outcome.exit_code == 124);  // timeout's own; 137 had it needed to kill
   CHECK(outcome.error.find("stopped;") != std::string::npos);
