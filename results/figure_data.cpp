@@ -21,6 +21,9 @@ constexpr std::size_t method_dimension = FigureNames::method_dimension;
 /// Of a median; that of a mean stands in its row.
 constexpr std::uint64_t fewest_for_median = 10;
 
+/// Descriptions that are longer would leave the figure; the name then stands for them.
+constexpr std::size_t longest_legend_text = 45;
+
 std::string with_unit(const std::string& text, const std::string& unit) {
   return unit == "1" || unit.empty() ? text : fmt::format("{} [{}]", text, unit);
 }
@@ -163,8 +166,8 @@ class Builder {
     });
     if (alike) data.y_label = with_unit(first.event ? "rate" : first.median ? "median" : "mean", first.unit);
     for (const Quantity& quantity : names_.y) {
-      const std::string text = quantity.description.empty() ? quantity.name : quantity.description;
-      data.metrics.push_back(alike ? text : quantity_label(quantity));
+      const bool fits = !quantity.description.empty() && quantity.description.size() <= longest_legend_text;
+      data.metrics.push_back(!fits ? quantity.name : alike ? quantity.description : quantity_label(quantity));
     }
   }
 
