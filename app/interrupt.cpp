@@ -1,6 +1,7 @@
 #include "app/interrupt.hpp"
 
 #include <csignal>
+#include <cstdint>
 #include <ctime>
 
 namespace ridgeloc::app {
@@ -9,19 +10,22 @@ namespace {
 
 /// Senders such as timeout(1) and batch systems signal the process and its group: what comes within a second of the
 /// first signal is the same request.
-constexpr std::time_t same_request_s = 1;
+constexpr std::int64_t same_request_ns = 1'000'000'000;
 
 std::atomic<bool> stop_requested{false};
-std::atomic<std::time_t> first_signal_s{0};
-static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::time_t>::is_always_lock_free,
+std::atomic<std::int64_t> first_signal_ns{0};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free,
               "a signal handler may use them");
 
 void request_stop(int signal) {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  if (!stop_requested.exchange(true)) {
-    first_signal_s.store(now.tv_sec);
-  } else if (now.tv_sec - first_signal_s.load() > same_request_s) {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  const std::int64_t now = std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+  // Decides and stamps at once: the handler may run on two threads at the same time.
+  std::int64_t first = 0;
+  if (first_signal_ns.compare_exchange_strong(first, now)) {
+    stop_requested.store(true);
+  } else if (now - first > same_request_ns) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }

@@ -31,6 +31,7 @@ void write_output(const std::string& path, const std::function<void(std::ostream
     fill(target);
     return;
   }
+  results::refuse_to_replace_result(target);
   results::require_writable(target);
   results::TemporaryFile file(target);
   fill(file.path());

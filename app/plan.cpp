@@ -35,7 +35,7 @@ void print_plan(const studies::Study& study, int threads) {
              pilot.trials);
   fmt::print("  time     about {} on {} thread{}\n", duration_text(pilot.seconds_per_trial * trials / threads), threads,
              threads == 1 ? "" : "s");
-  fmt::print("  disk     about {:.1f} MiB of per-trial columns ({:.0f} trials kept) besides the summaries\n",
+  fmt::print("  disk     at most {:.1f} MiB of per-trial columns ({:.0f} trials kept) besides the summaries\n",
              columns_mib, kept);
 }
 

@@ -77,6 +77,10 @@ std::vector<Job> make_jobs(const RunOptions& options) {
 bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
   if (job.complete) {
     fmt::print(stderr, "{}: complete already, nothing to do\n", job.output.string());
+    if (path_exists(job.output.string() + ".parts")) {
+      fmt::print(stderr, "warning: {}.parts is left over from an earlier run and may be removed\n",
+                 job.output.string());
+    }
     fmt::print("{}\n", job.output.string());
     return true;
   }
@@ -88,8 +92,9 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
     const ProgressDisplay display(job.study.name, progress, blocks);
     outcome = studies::run_study(job.study, job.plan, job.output, threads, build_provenance(), progress, stop);
   } catch (const core::IoError& error) {
-    throw core::IoError(fmt::format("{}. Finished parts are kept in {}.parts; the same command goes on from there",
-                                    error.what(), job.output.string()));
+    const std::string parts = job.output.string() + ".parts";
+    const std::string kept = path_exists(parts) ? fmt::format("finished parts are kept in {}; ", parts) : "";
+    throw core::IoError(fmt::format("{} ({}the same command goes on from there)", error.what(), kept));
   }
   for (const std::string& warning : outcome.warnings) fmt::print(stderr, "warning: {}\n", warning);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -26,6 +26,7 @@ FigureFormat format_of(const std::filesystem::path& output) {
 void draw_figure(const Summary& summary, const FigureSpec& spec, const std::filesystem::path& output) {
   const FigureFormat format = format_of(output);
   const FigureData data = figure_data(summary, spec);
+  refuse_to_replace_result(output);
   require_writable(output);
   TemporaryFile temporary(output);
   run_gnuplot(figure_script(data, format, temporary.path()));

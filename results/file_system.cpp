@@ -3,9 +3,13 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <fstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -89,13 +93,48 @@ bool TemporaryFile::is_temporary(const fs::path& file) {
   return file.extension() == temporary_suffix;
 }
 
-FolderLock::FolderLock(const fs::path& folder) : descriptor_(::open(folder.c_str(), O_RDONLY | O_CLOEXEC)) {
-  if (descriptor_ < 0)
-    throw core::IoError(fmt::format("cannot open the folder {}: {}", folder.string(), reason(errno)));
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    ::close(descriptor_);
+void TemporaryFile::remove_leftovers(const fs::path& final_path) {
+  std::error_code ignored;
+  const std::string beginning = final_path.filename().string() + ".";
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(final_path), ignored)) {
+    const bool of_this_file = entry.path().filename().string().starts_with(beginning);
+    if (of_this_file && is_temporary(entry.path())) fs::remove(entry.path(), ignored);
+  }
+}
+
+void refuse_to_replace_result(const fs::path& file) {
+  constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+  std::array<char, signature.size()> beginning{};
+  std::ifstream in(file, std::ios::binary);
+  in.read(beginning.data(), beginning.size());
+  if (in && std::string_view(beginning.data(), beginning.size()) == signature)
     throw core::InputError(
-        fmt::format("another run is writing to {}; wait for it, stop it, or choose another -o", folder.string()));
+        fmt::format("{} is an HDF5 file and is not replaced; choose another -o or remove it", file.string()));
+}
+
+FolderLock::FolderLock(const fs::path& folder) {
+  for (;;) {
+    descriptor_ = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor_ < 0)
+      throw core::IoError(fmt::format("cannot open the folder {}: {}", folder.string(), reason(errno)));
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      ::close(descriptor_);
+      throw core::InputError(
+          fmt::format("another run is writing to {}; wait for it, stop it, or choose another -o", folder.string()));
+    }
+    // The run that held the lock may have removed the folder since it was opened: then this locks a folder without
+    // name.
+    struct stat locked {};
+    struct stat named {};
+    const bool same = ::fstat(descriptor_, &locked) == 0 && ::stat(folder.c_str(), &named) == 0 &&
+                      locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
+    if (same) return;
+    ::close(descriptor_);
+    std::error_code error;
+    fs::create_directory(folder, error);
+    if (error)
+      throw core::InputError(
+          fmt::format("cannot create the folder {}: {}; choose another -o", folder.string(), error.message()));
   }
 }
 

@@ -8,6 +8,10 @@ namespace ridgeloc::results {
 /// Throws core::InputError that says why not and what to do.
 void require_writable(const std::filesystem::path& file);
 
+/// Throws core::InputError if a file of this name is HDF5: a result is hours of work, and a table or a picture is not
+/// to replace it.
+void refuse_to_replace_result(const std::filesystem::path& file);
+
 /// A file that appears under its name complete or not at all. Write to `path()`, close and check it, then
 /// `publish()`. Until then the destructor removes it.
 class TemporaryFile {
@@ -26,6 +30,9 @@ class TemporaryFile {
 
   /// Whether a file in a folder is such a temporary, left by a killed program.
   static bool is_temporary(const std::filesystem::path& file);
+
+  /// Removes temporaries of that file that killed programs have left beside it. Only for who may write the file.
+  static void remove_leftovers(const std::filesystem::path& final_path);
 
  private:
   std::filesystem::path final_;

@@ -113,8 +113,10 @@ class File {
 
   /// SHA-256 over all datasets but those under /provenance, as docs/file-format.md defines it: of the values
   /// handed to `write`, and of the values in the file. That both agree is what "verified" means.
-  std::string written_digest() const;
-  std::string content_digest() const;
+  /// With `Extent::Totals` those under /trials are left out too: what is fast to check on each reading.
+  enum class Extent { All, Totals };
+  std::string written_digest(Extent extent = Extent::All) const;
+  std::string content_digest(Extent extent = Extent::All) const;
 
  private:
   File(std::filesystem::path path, std::int64_t id) : path_(std::move(path)), id_(id) {}

@@ -11,7 +11,10 @@
 namespace ridgeloc::results::hdf5 {
 namespace {
 
-constexpr std::string_view excluded = "/provenance";
+/// Whether a dataset takes part in a digest.
+bool is_covered(std::string_view path, File::Extent extent) {
+  return !path.starts_with("/provenance/") && (extent == File::Extent::All || !path.starts_with("/trials/"));
+}
 
 std::string_view name_of(Type type) {
   switch (type) {
@@ -35,10 +38,10 @@ std::string manifest_line(const std::string& path, Type type, const Shape& shape
   return fmt::format("{} {} {} {}\n", path, name_of(type), fmt::join(shape, "x"), digest);
 }
 
-std::string digest_of(const std::map<std::string, std::string>& manifest) {
+std::string digest_of(const std::map<std::string, std::string>& manifest, File::Extent extent) {
   Sha256 sha;
   for (const auto& [path, line] : manifest)
-    if (path != excluded && !path.starts_with(fmt::format("{}/", excluded))) sha.update(line);
+    if (is_covered(path, extent)) sha.update(line);
   return sha.hex();
 }
 
@@ -76,11 +79,11 @@ void File::record(const std::string& path, Type type, const Shape& shape, const 
   manifest_[path] = manifest_line(path, type, shape, digest);
 }
 
-std::string File::written_digest() const {
-  return digest_of(manifest_);
+std::string File::written_digest(Extent extent) const {
+  return digest_of(manifest_, extent);
 }
 
-std::string File::content_digest() const {
+std::string File::content_digest(Extent extent) const {
   const auto digest_of_dataset = [this](const std::string& path, Type type) {
     switch (type) {
       case Type::F64:
@@ -100,10 +103,11 @@ std::string File::content_digest() const {
   };
   std::map<std::string, std::string> manifest;
   for (const std::string& path : datasets_of(id_, path_)) {
+    if (!is_covered(path, extent)) continue;
     const Type kind = type(path);
     manifest[path] = manifest_line(path, kind, shape(path), digest_of_dataset(path, kind));
   }
-  return digest_of(manifest);
+  return digest_of(manifest, extent);
 }
 
 }  // namespace ridgeloc::results::hdf5

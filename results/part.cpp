@@ -124,7 +124,7 @@ void require_same_study(const hdf5::File& file, const Header& header) {
                     name, version, format_version));
 
   const std::string folder = file.path().parent_path().string();
-  if (file.text_attribute("/", "study_sha256") != sha256_hex(header.study_toml))
+  if (file.text_attribute("/", "study_sha256") != sha256_hex(header.study_hash + header.study_toml))
     throw core::InputError(fmt::format(
         "{} holds unfinished work of another study; finish that one, delete the folder, or choose another -o", folder));
   if (const auto version = file.number_attribute("/", "experiment_version");
@@ -144,7 +144,7 @@ void write_part(const fs::path& path, const Header& header, const Part& part) {
   hdf5::File file = hdf5::File::create(temporary.path());
   file.write_attribute("/", "filetype", std::string(filetype));
   file.write_attribute("/", "version", std::vector<std::uint64_t>{format_version, 0});
-  file.write_attribute("/", "study_sha256", sha256_hex(header.study_toml));
+  file.write_attribute("/", "study_sha256", sha256_hex(header.study_hash + header.study_toml));
   file.write_attribute("/", "isa", header.isa);
   file.write_attribute("/", "experiment_version", static_cast<std::uint64_t>(header.experiment_version));
   write_ledger(file, part.ledger, header.schema);

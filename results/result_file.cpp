@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+
 #include <numeric>
 #include <utility>
 
@@ -22,6 +24,8 @@ hdf5::File open_result(const fs::path& path) {
   if (!fs::exists(path, error)) throw core::InputError(fmt::format("{} does not exist; check the path", name));
   if (fs::is_directory(path, error))
     throw core::InputError(fmt::format("{} is a folder; name a result file (.h5)", name));
+  if (!std::ifstream(path, std::ios::binary))
+    throw core::InputError(fmt::format("{} cannot be read; check its permissions", name));
   if (!hdf5::is_hdf5(path))
     throw core::InputError(fmt::format("{} is not an HDF5 file; name a result of `ridgeloc run`", name));
   hdf5::File file = hdf5::File::open(path);
@@ -33,6 +37,12 @@ hdf5::File open_result(const fs::path& path) {
     throw core::InputError(fmt::format("{} has format version {}.{}, this program reads up to {}.x; update ridgeloc",
                                        name, version[0], version[1], layout::major_version));
   return file;
+}
+
+/// Compares everything but the single trials with the digest that was stored when the result was sealed.
+void verify_totals(const hdf5::File& file) {
+  if (file.content_digest(hdf5::File::Extent::Totals) != file.text_attribute("/", layout::totals_digest_attribute))
+    throw core::IoError("its numbers are not those that were written");
 }
 
 /// Runs a reader on an opened result; what fails inside is damage, for which the file is to blame and not the
@@ -102,6 +112,7 @@ Summary summarize(const Header& header, const Ledger& ledger) {
 
 Summary read_result(const fs::path& path) {
   return with_result(path, [](const hdf5::File& file) {
+    verify_totals(file);
     const Header header = read_header(file);
     return summarize(header, read_ledger(file, header));
   });

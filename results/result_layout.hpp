@@ -10,6 +10,7 @@ inline constexpr const char* filetype = "ridgeloc-result";
 inline constexpr std::uint64_t major_version = 1;
 inline constexpr std::uint64_t minor_version = 0;
 inline constexpr const char* digest_attribute = "data_sha256";
+inline constexpr const char* totals_digest_attribute = "totals_sha256";
 
 inline std::string trials_group(std::size_t cell) {
   return "/trials/" + std::to_string(cell);

@@ -80,10 +80,13 @@ void write_cell_trials(hdf5::File& file, const Header& header, const std::vector
   if (cell.empty()) return;
   Columns sorted;
   for (const TrialColumns& columns : cell) sorted.push_back(&columns);
-  const auto key = [](const TrialColumns* c) { return std::tuple(c->method, c->block); };
-  std::ranges::sort(sorted, {}, key);
-  // The same block twice has equal columns: the ledger has compared their digests.
-  const auto repeated = std::ranges::unique(sorted, {}, key);
+  // Of a block that is there twice the longer one counts, as in the ledger; equally long ones are equal: the ledger has
+  // compared their digests.
+  std::ranges::sort(sorted, [](const TrialColumns* a, const TrialColumns* b) {
+    return std::tuple(a->method, a->block, b->trials) < std::tuple(b->method, b->block, a->trials);
+  });
+  const auto repeated =
+      std::ranges::unique(sorted, {}, [](const TrialColumns* c) { return std::tuple(c->method, c->block); });
   sorted.erase(repeated.begin(), repeated.end());
 
   file.create_group(layout::trials_group(cell.front().cell));
@@ -110,6 +113,7 @@ void write_result(const fs::path& path, const Header& header, const Ledger& ledg
   write_provenance(file, header, provenance);
   const std::string digest = file.written_digest();
   file.write_attribute("/", layout::digest_attribute, digest);
+  file.write_attribute("/", layout::totals_digest_attribute, file.written_digest(hdf5::File::Extent::Totals));
   file.close();
   if (hdf5::File::open(temporary.path()).content_digest() != digest)
     throw core::IoError(fmt::format("{} reads back with other values than were written; check the disk and run again",

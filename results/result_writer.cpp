@@ -23,6 +23,16 @@ constexpr std::chrono::seconds part_age{5};
 
 constexpr const char* part_extension = ".h5";
 
+/// Every cell must have all its trials before the result may say so: parts may have been taken away meanwhile.
+void require_complete(const Ledger& ledger, const Header& header, const fs::path& folder) {
+  std::vector<std::uint64_t> trials(header.cells.size() * header.methods.size(), 0);
+  for (const Row& row : ledger.rows()) trials[row.cell * header.methods.size() + row.method] += row.statistics.trials;
+  const auto missing = std::ranges::count_if(trials, [&](std::uint64_t present) { return present < header.trials; });
+  if (missing > 0)
+    throw core::IoError(fmt::format("{} of {} pairs of cell and method lack trials that were computed: {} was changed",
+                                    missing, trials.size(), folder.string()));
+}
+
 /// Where the kept columns of one cell are: per part, its entries.
 using CellIndex = std::map<fs::path, std::vector<PartReader::Entry>>;
 
@@ -42,6 +52,7 @@ ResultWriter::ResultWriter(fs::path path, Header header)
     throw core::InputError(
         fmt::format("cannot create the folder {}: {}; choose another -o", folder_.string(), error.message()));
   lock_ = std::make_unique<FolderLock>(folder_);
+  TemporaryFile::remove_leftovers(path_);
   if (fs::exists(path_, error)) {
     remove_folder_if_empty();
     throw core::InputError(fmt::format("{} exists; choose another -o or remove it", path_.string()));
@@ -67,8 +78,9 @@ Part ResultWriter::new_part() const {
 void ResultWriter::adopt_parts() {
   std::vector<fs::path> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
+    std::error_code ignored;
     if (TemporaryFile::is_temporary(entry.path())) {
-      fs::remove(entry.path());
+      fs::remove(entry.path(), ignored);
     } else if (entry.path().extension() == part_extension) {
       found.push_back(entry.path());
     }
@@ -153,6 +165,7 @@ void ResultWriter::seal(const Provenance& provenance) {
     for (const Row& row : part.ledger().rows()) ledger.insert(row);
     for (const PartReader::Entry& entry : part.entries()) index.at(entry.cell)[path].push_back(entry);
   }
+  require_complete(ledger, header_, folder_);
 
   const auto columns_of = [&index](std::size_t cell) {
     std::vector<TrialColumns> columns;

@@ -42,7 +42,8 @@ void fill_moments(SummaryRow& row, const MetricStatistics& metric) {
   const Interval interval = mean_interval(moments);
   row.lo = interval.lo;
   row.hi = interval.hi;
-  row.trusted = moments.n >= fewest_trusted && metric.beyond == 0 &&
+  // Of a sample without spread nothing is known of how it would spread, as of a rate without events.
+  row.trusted = moments.n >= fewest_trusted && moments.m2 > 0.0 && metric.beyond == 0 &&
                 variance_of_variance(moments) <= largest_variance_of_variance;
 }
 
@@ -53,7 +54,9 @@ void fill_quantiles(SummaryRow& row, const MetricInfo& info, const MetricStatist
   if (metric.min < 0.0) return;
   // Within a bin a quantile is interpolated; of counts only the whole number in the bin can be meant.
   const auto within = [&](double value) {
-    return std::clamp(info.whole_numbers ? std::floor(value) : value, metric.min, metric.max);
+    // The upper edge of a bin is not in it: at a full share the largest whole number below is meant.
+    const double whole = std::floor(std::nextafter(value, 0.0));
+    return std::clamp(info.whole_numbers ? whole : value, metric.min, metric.max);
   };
   row.p05 = within(metric.histogram.quantile(0.05));
   row.p25 = within(metric.histogram.quantile(0.25));

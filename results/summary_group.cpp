@@ -17,7 +17,7 @@ struct Statistic {
 };
 
 /// The values along the dimension "statistic". Counts are exact as doubles up to 2^53.
-constexpr std::array<Statistic, 17> statistics = {{
+constexpr std::array<Statistic, 18> statistics = {{
     {"n", [](const SummaryRow& row) { return static_cast<double>(row.n); }},
     {"beyond", [](const SummaryRow& row) { return static_cast<double>(row.beyond); }},
     {"mean", [](const SummaryRow& row) { return row.mean; }},
@@ -25,6 +25,7 @@ constexpr std::array<Statistic, 17> statistics = {{
     {"lo", [](const SummaryRow& row) { return row.lo; }},
     {"hi", [](const SummaryRow& row) { return row.hi; }},
     {"sd", [](const SummaryRow& row) { return row.sd; }},
+    {"sd_mcse", [](const SummaryRow& row) { return row.sd_mcse; }},
     {"min", [](const SummaryRow& row) { return row.min; }},
     {"p05", [](const SummaryRow& row) { return row.p05; }},
     {"p25", [](const SummaryRow& row) { return row.p25; }},

@@ -17,8 +17,11 @@ void check_label(const toml::node& node, const std::string& label, const Study& 
   // Labels become names of groups in result files.
   const bool plain = std::ranges::none_of(label, [](unsigned char c) { return c == '/' || c < 0x20 || c == 0x7f; });
   if (label.empty() || label == "." || label.size() > max_label_size || !plain) {
-    fail_at(node, fmt::format("method name \"{}\" is not allowed: 1 to {} bytes without '/' or control characters",
-                              label, max_label_size));
+    fail_at(
+        node,
+        fmt::format(
+            "method name \"{}\" is not allowed: 1 to {} bytes without '/' or control characters, and not a single '.'",
+            label, max_label_size));
   }
   const auto reserved = study.experiment->extra_labels();
   if (std::ranges::find(reserved, label) != reserved.end()) {

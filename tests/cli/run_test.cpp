@@ -157,6 +157,8 @@ TEST_CASE("a file-size limit, like a full disk, is one line, exit code 3, and ke
   CHECK(outcome.exit_code == 3);
   CHECK(lines(outcome.error) == 1);
   CHECK(outcome.error.find("the same command goes on from there") != std::string::npos);
+  CHECK(outcome.error.find("finished parts are kept") == std::string::npos);  // there are none
+  CHECK_FALSE(folder.has("small.h5.parts"));
   CHECK_FALSE(folder.has("small.h5"));
   CHECK(folder.ridgeloc("run small.toml --trials 50000").exit_code == 0);
 }

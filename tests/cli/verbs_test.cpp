@@ -161,6 +161,12 @@ TEST_CASE("output goes through links, to devices, and never over a neighbour's f
   CHECK(folder.ridgeloc("export result.h5 -o link.csv").exit_code == 0);
   CHECK(folder.read("real.csv") == folder.read("table.csv"));
   CHECK(folder.shell("test -L link.csv").exit_code == 0);
+  const std::string result = folder.read("result.h5");
+  CHECK(folder.ridgeloc("export result.h5 -o result.h5").exit_code == 2);
+  CHECK(folder.shell("cp result.h5 other.svg").exit_code == 0);
+  CHECK(folder.ridgeloc("plot result.h5 --figure rate -o other.svg").exit_code == 2);
+  CHECK(folder.read("result.h5") == result);
+  CHECK(folder.read("other.svg") == result);
   CHECK(folder.ridgeloc("export result.h5 -o /dev/null").exit_code == 0);
   CHECK(folder.shell("test -c /dev/null").exit_code == 0);
   CHECK(folder.ridgeloc("export result.h5 -o $(printf 'x%.0s' $(seq 300)).csv").exit_code == 2);

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <string>
 
 #include "catch.hpp"
 #include "core/error.hpp"
@@ -132,16 +134,26 @@ TEST_CASE("a study without sweep and without kept trials is a result like any ot
   CHECK(summary.of(0, 0).trials == header.trials);
   CHECK(read_trials(folder / "r.h5", 0, 0).trial.empty());
   const hdf5::File file = hdf5::File::open(folder / "r.h5");
-  CHECK(file.shape("/summary/error_m") == hdf5::Shape{3, 17});
+  CHECK(file.shape("/summary/error_m") == hdf5::Shape{3, 18});
 }
 
-TEST_CASE("a result without any block has empty totals") {
+TEST_CASE("totals that have changed since the result was sealed are not read") {
   const test::ScratchFolder folder;
-  {
-    ResultWriter writer(folder / "r.h5", test::sample_header());
-    writer.seal({});
+  const Header header = test::sample_header();
+  test::write_sample(folder / "r.h5", header);
+  const double value = read_result(folder / "r.h5").of(0, 0).metrics[0].min;
+  std::fstream file(folder / "r.h5", std::ios::in | std::ios::out | std::ios::binary);
+  std::string bytes(fs::file_size(folder / "r.h5"), '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  const std::string pattern(reinterpret_cast<const char*>(&value), sizeof value);
+  std::size_t changed = 0;
+  for (auto at = bytes.find(pattern); at != std::string::npos; at = bytes.find(pattern, at + 1), ++changed) {
+    file.seekp(static_cast<std::streamoff>(at));
+    file.put(static_cast<char>(bytes[at] ^ 1));
   }
-  CHECK(read_result(folder / "r.h5").of(0, 0).trials == 0);
+  file.close();
+  REQUIRE(changed > 0);
+  CHECK_THROWS_AS(read_result(folder / "r.h5"), core::InputError);
 }
 
 TEST_CASE("the digest of a result ignores provenance, title and figures, and not the numbers") {

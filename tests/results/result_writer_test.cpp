@@ -234,6 +234,34 @@ TEST_CASE("a damaged part is reported and its blocks are computed again") {
   CHECK_FALSE(fs::exists(parts_of(path)));
 }
 
+TEST_CASE("a result that would lack blocks is not sealed") {
+  const test::ScratchFolder folder;
+  const Header header = test::sample_header();
+  const Tasks tasks = test::sample_tasks(header);
+  const fs::path path = folder / "result.h5";
+  {
+    ResultWriter writer(path, header);
+    for (std::size_t i = 1; i < tasks.size(); ++i) add(writer, header, tasks[i].first, tasks[i].second);
+    CHECK(test::lacking(test::message_of([&] { writer.seal({}); }), {"lack trials"}) == "");
+    CHECK_FALSE(fs::exists(path));
+  }
+  ResultWriter writer(path, header);
+  CHECK(writer.adopted_blocks() == tasks.size() - 1);
+  run_missing(writer, header, tasks);
+  writer.seal({});
+  CHECK(data_digest(path) == digest_of_plain_run(folder / "reference.h5"));
+}
+
+TEST_CASE("what a killed program left of its result is removed by the next run") {
+  const test::ScratchFolder folder;
+  const Header header = test::sample_header();
+  std::ofstream(folder / "result.h5.4711.ridgeloc-tmp") << "half a result";
+  std::ofstream(folder / "other.h5.4711.ridgeloc-tmp") << "of another";
+  const ResultWriter writer(folder / "result.h5", header);
+  CHECK_FALSE(fs::exists(folder / "result.h5.4711.ridgeloc-tmp"));
+  CHECK(fs::exists(folder / "other.h5.4711.ridgeloc-tmp"));
+}
+
 TEST_CASE("a part that is damaged during the run stops the seal and keeps the others") {
   const test::ScratchFolder folder;
   const Header header = test::sample_header();

@@ -43,6 +43,9 @@ TEST_CASE("quantiles of counts are whole numbers") {
   CHECK(row.p50 == 7.0);
   CHECK(row.p75 == 9.0);
   CHECK(row.p50_lo == std::floor(row.p50_lo));
+  for (const double n : {31.0, 32.0, 33.0, 48.0, 63.0})
+    CHECK(row_of_values({n, n, n, 1000, 1000, 1000, 1000}, true).p25 == n);
+  CHECK(row_of_values({48, 1000}, true).p50 == 48.0);
 }
 
 TEST_CASE("rows come by cell, method, metric, with the events last") {
@@ -110,10 +113,11 @@ TEST_CASE("a rate's bar is trusted from ten outcomes of either kind on") {
   CHECK_FALSE(trusted(100, 100));
 }
 
-TEST_CASE("a mean's bar is trusted from ten values on, without spread too") {
-  CHECK_FALSE(row_of_values(std::vector<double>(9, 2.0)).trusted);
+TEST_CASE("a mean's bar is trusted from ten values on, and never without spread") {
+  CHECK_FALSE(row_of_values({1, 2, 3, 4, 5, 6, 7, 8, 9}).trusted);
+  CHECK(row_of_values({1, 2, 3, 4, 5, 6, 7, 8, 9, 10}).trusted);
   const SummaryRow constant = row_of_values(std::vector<double>(10, 2.0));
-  CHECK(constant.trusted);
+  CHECK_FALSE(constant.trusted);
   CHECK(constant.mcse == 0.0);
   CHECK(constant.sd_mcse == 0.0);
 }
