@@ -187,13 +187,13 @@ std::vector<std::string> read_texts(const toml::node& node, const std::string& l
   return texts;
 }
 
-const toml::table& read_table(const toml::node& node, const std::string& label) {
+const toml::table& read_table(const toml::node& node, std::string_view label) {
   const toml::table* table = node.as_table();
   if (table == nullptr) fail_at(node, fmt::format("{} must be a table", label));
   return *table;
 }
 
-std::vector<const toml::table*> read_tables(const toml::node& node, const std::string& label) {
+std::vector<const toml::table*> read_tables(const toml::node& node, std::string_view label) {
   const toml::array* array = node.as_array();
   if (array == nullptr) fail_at(node, fmt::format("{0} must be a list of tables: [[{0}]]", label));
   std::vector<const toml::table*> tables;
@@ -201,7 +201,7 @@ std::vector<const toml::table*> read_tables(const toml::node& node, const std::s
   return tables;
 }
 
-bool read_bool(const toml::node& node, const std::string& label) {
+bool read_bool(const toml::node& node, std::string_view label) {
   if (!node.is_boolean()) fail_at(node, fmt::format("{} must be true or false", label));
   return *node.value<bool>();
 }

@@ -37,8 +37,8 @@ std::vector<std::string> read_texts(const toml::node& node, const std::string& l
                                     const std::vector<std::string>& choices);
 
 /// Reads a node as a table, an array, an array of tables or a truth value.
-const toml::table& read_table(const toml::node& node, const std::string& label);
-std::vector<const toml::table*> read_tables(const toml::node& node, const std::string& label);
-bool read_bool(const toml::node& node, const std::string& label);
+const toml::table& read_table(const toml::node& node, std::string_view label);
+std::vector<const toml::table*> read_tables(const toml::node& node, std::string_view label);
+bool read_bool(const toml::node& node, std::string_view label);
 
 }  // namespace ridgeloc::studies
