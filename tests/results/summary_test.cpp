@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "catch.hpp"
@@ -16,7 +17,7 @@ using namespace ridgeloc::results;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const SummaryRow& row_of(const std::vector<SummaryRow>& rows, std::size_t cell, std::size_t method,
-                         const std::string& metric) {
+                         std::string_view metric) {
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const SummaryRow& row) {
     return row.cell == cell && row.method == method && row.metric == metric;
   });
