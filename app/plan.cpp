@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <thread>
+#include <algorithm>
 
 #include "app/duration.hpp"
 #include "app/exit_code.hpp"

@@ -45,9 +45,6 @@ inline double abs(double x) {
 inline double max(double a, double b) {
   return a < b ? b : a;
 }
-inline double min(double a, double b) {
-  return b < a ? b : a;
-}
 inline bool is_finite(double x) {
   return std::fabs(x) <= std::numeric_limits<double>::max();
 }
