@@ -4,6 +4,7 @@
 
 #include "app/duration.hpp"
 #include "app/exit_code.hpp"
+#include "app/instruction_set.hpp"
 #include "app/verbs.hpp"
 #include "core/units.hpp"
 #include "studies/pilot.hpp"
@@ -15,8 +16,8 @@ namespace {
 
 constexpr double pilot_budget_s = 2.0;
 
-void print_plan(const studies::Study& study, int threads) {
-  const studies::Plan plan = studies::make_plan(study);
+void print_plan(const studies::Study& study, core::Isa isa, int threads) {
+  const studies::Plan plan = studies::make_plan(study, isa);
   const auto cells = static_cast<double>(plan.cells.size());
   const double trials = cells * static_cast<double>(study.trials);
   const double kept =
@@ -31,8 +32,8 @@ void print_plan(const studies::Study& study, int threads) {
   fmt::print("  trials   {:.0f} ({} per cell)\n", trials, study.trials);
   fmt::print("  blocks   {} ({} per cell of {} trials)\n", plan.blocks_per_cell * plan.cells.size(),
              plan.blocks_per_cell, plan.header.block_trials);
-  fmt::print("  pilot    {:.3g} us per trial and thread, all methods ({} trials)\n", pilot.seconds_per_trial * 1e6,
-             pilot.trials);
+  fmt::print("  pilot    {:.3g} us per trial and thread, all methods, with {} ({} trials)\n", pilot.seconds_per_trial * 1e6,
+             plan.header.isa, pilot.trials);
   fmt::print("  time     about {} on {} thread{}\n", duration_text(pilot.seconds_per_trial * trials / threads), threads,
              threads == 1 ? "" : "s");
   fmt::print("  disk     at most {:.1f} MiB of per-trial columns ({:.0f} trials kept) besides the summaries\n",
@@ -42,8 +43,9 @@ void print_plan(const studies::Study& study, int threads) {
 }  // namespace
 
 int plan(const StudyOptions& options) {
+  const core::Isa isa = instruction_set(options.isa);
   for (const std::string& name : options.studies) {
-    print_plan(studies::read_study(studies::find_study(name), options.overrides), options.threads);
+    print_plan(studies::read_study(studies::find_study(name), options.overrides), isa, options.threads);
   }
   return Success;
 }

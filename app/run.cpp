@@ -8,6 +8,7 @@
 #include "app/build_info.hpp"
 #include "app/duration.hpp"
 #include "app/exit_code.hpp"
+#include "app/instruction_set.hpp"
 #include "app/interrupt.hpp"
 #include "app/output.hpp"
 #include "app/progress.hpp"
@@ -15,6 +16,7 @@
 #include "core/error.hpp"
 #include "results/file_system.hpp"
 #include "results/result_file.hpp"
+#include "results/result_writer.hpp"
 #include "studies/runner.hpp"
 #include "studies/study_reader.hpp"
 
@@ -41,10 +43,20 @@ fs::path output_path(const RunOptions& options, const std::string& study_name) {
   return folder ? given / file : given;
 }
 
+/// What to compute a result with: what the user asked for, or what a stopped run of it has begun with.
+core::Isa isa_of(const RunOptions& options, const fs::path& output) {
+  const std::string begun = results::isa_of_unfinished(output).value_or("");
+  return instruction_set(options.study.isa.empty() ? begun : options.study.isa);
+}
+
 /// Whether the result is there already. A result of another study is never overwritten.
-bool already_there(const Job& job) {
+bool already_there(const RunOptions& options, const Job& job) {
   if (!path_exists(job.output)) return false;
   const results::Header header = results::read_result_header(job.output);
+  if (!options.study.isa.empty() && options.study.isa != header.isa) {
+    throw core::InputError(fmt::format("{}: was computed with the instruction set {}; choose another -o or --isa {}",
+                                       job.output.string(), header.isa, header.isa));
+  }
   if (header.study_toml == job.plan.header.study_toml) return true;
   const std::string difference = header.study_hash != job.plan.header.study_hash
                                      ? "another study"
@@ -57,15 +69,15 @@ std::vector<Job> make_jobs(const RunOptions& options) {
   std::set<fs::path> outputs;
   for (const std::string& name : options.study.studies) {
     studies::Study study = studies::read_study(studies::find_study(name), options.study.overrides);
-    studies::Plan plan = studies::make_plan(study);
     const fs::path output = output_path(options, study.name);
+    studies::Plan plan = studies::make_plan(study, isa_of(options, output));
     if (!outputs.insert(output).second) {
       throw core::InputError(
           fmt::format("{}: two studies would write this result; run them apart with -o", output.string()));
     }
     jobs.push_back({std::move(study), std::move(plan), output});
   }
-  for (Job& job : jobs) job.complete = already_there(job);
+  for (Job& job : jobs) job.complete = already_there(options, job);
   // A folder is made only after every study has been found good.
   const fs::path folder(options.output);
   if (jobs.size() > 1 || !folder.has_filename()) require_folder(folder);
@@ -107,8 +119,8 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
     fmt::print(stderr, "{}: {} of {} blocks were there from an earlier run\n", job.study.name, outcome.blocks_found,
                blocks);
   }
-  fmt::print(stderr, "{}: {} cells, {} trials each, {} methods on {} thread{}: {}\n", job.study.name,
-             job.plan.cells.size(), job.study.trials, job.study.methods.size(), threads, threads == 1 ? "" : "s",
+  fmt::print(stderr, "{}: {} cells, {} trials each, {} methods on {} thread{} with {}: {}\n", job.study.name,
+             job.plan.cells.size(), job.study.trials, job.study.methods.size(), threads, threads == 1 ? "" : "s", job.plan.header.isa,
              duration_text(seconds));
   fmt::print("{}\n", job.output.string());
   finish_standard_output();

@@ -17,3 +17,8 @@ pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 add_library(ridgeloc_random123 INTERFACE)
 target_include_directories(ridgeloc_random123 SYSTEM INTERFACE ${RANDOM123_INCLUDE_DIR})
+
+# xsimd likewise; its CMake package asks for a library that its headers do not need.
+find_path(XSIMD_INCLUDE_DIR xsimd/xsimd.hpp REQUIRED)
+add_library(ridgeloc_xsimd INTERFACE)
+target_include_directories(ridgeloc_xsimd SYSTEM INTERFACE ${XSIMD_INCLUDE_DIR})

@@ -22,6 +22,8 @@ inline constexpr std::size_t position_parameters = 3;
 /// `reshape` allocates only when the batch grows. Not synchronized: one batch per thread.
 class ProblemBatch {
  public:
+  static constexpr std::size_t largest_lanes = 32;
+
   /// Makes room for `trials` problems of `points` points each; contents are unspecified afterwards, scores absent.
   void reshape(std::size_t points, std::size_t trials);
 
@@ -29,29 +31,44 @@ class ProblemBatch {
   std::size_t trials() const { return trials_; }
 
   /// Coordinate `axis` (0 = x, 1 = y, 2 = z) of point `point`, in metres.
-  std::span<double> position(std::size_t point, std::size_t axis) { return column(point * 4 + axis); }
-  std::span<const double> position(std::size_t point, std::size_t axis) const { return column(point * 4 + axis); }
+  std::span<double> position(std::size_t point, std::size_t axis) { return column(position_column(point, axis)); }
+  std::span<const double> position(std::size_t point, std::size_t axis) const {
+    return column(position_column(point, axis));
+  }
 
   /// Measured range to point `point`, in metres.
-  std::span<double> measured(std::size_t point) { return column(point * 4 + 3); }
-  std::span<const double> measured(std::size_t point) const { return column(point * 4 + 3); }
+  std::span<double> measured(std::size_t point) { return column(measured_column(point)); }
+  std::span<const double> measured(std::size_t point) const { return column(measured_column(point)); }
 
   /// Initial value of position coordinate `axis`, in metres.
-  std::span<double> start(std::size_t axis) { return column(points_ * 4 + axis); }
-  std::span<const double> start(std::size_t axis) const { return column(points_ * 4 + axis); }
+  std::span<double> start(std::size_t axis) { return column(start_column(points_, axis)); }
+  std::span<const double> start(std::size_t axis) const { return column(start_column(points_, axis)); }
 
   /// Detection scores. Without them every score is 1.
   bool has_scores() const { return has_scores_; }
   void add_scores();
-  std::span<double> score(std::size_t point) { return column(points_ * 4 + 3 + point); }
-  std::span<const double> score(std::size_t point) const { return column(points_ * 4 + 3 + point); }
+  std::span<double> score(std::size_t point) { return column(score_column(points_, point)); }
+  std::span<const double> score(std::size_t point) const { return column(score_column(points_, point)); }
+
+  /// All columns, one every `stride()` numbers. Kernels may read `largest_lanes` numbers beyond the end of any of them.
+  const double* data() const { return values_.data(); }
+  std::size_t stride() const { return stride_; }
+  std::size_t columns() const { return start_column(points_, 3) + (has_scores_ ? points_ : 0); }
+  static std::size_t position_column(std::size_t point, std::size_t axis) { return point * 4 + axis; }
+  static std::size_t measured_column(std::size_t point) { return point * 4 + 3; }
+  static std::size_t start_column(std::size_t points, std::size_t axis) { return points * 4 + axis; }
+  static std::size_t score_column(std::size_t points, std::size_t point) { return points * 4 + 3 + point; }
+
+  /// Copies one problem of a batch of the same shape into a slot of this one.
+  void copy_trial(const ProblemBatch& from, std::size_t trial, std::size_t slot);
 
  private:
-  std::span<double> column(std::size_t index) { return {values_.data() + index * trials_, trials_}; }
-  std::span<const double> column(std::size_t index) const { return {values_.data() + index * trials_, trials_}; }
+  std::span<double> column(std::size_t index) { return {values_.data() + index * stride_, trials_}; }
+  std::span<const double> column(std::size_t index) const { return {values_.data() + index * stride_, trials_}; }
 
   std::size_t points_ = 0;
   std::size_t trials_ = 0;
+  std::size_t stride_ = 0;
   bool has_scores_ = false;
   std::vector<double> values_;
 };

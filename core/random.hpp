@@ -10,30 +10,29 @@
 /// implementations.
 namespace ridgeloc::core {
 
-/// Uniform on (0, 1) on the grid (k + 1/2) 2^-52 from 52 of 64 random bits: never 0, never 1.
-inline double uniform(std::uint32_t low, std::uint32_t high) {
-  const std::uint64_t bits = (std::uint64_t{high} << 32 | low) >> 12;
-  return (static_cast<double>(bits) + 0.5) * 0x1p-52;
+/// Uniform on (0, 1) on the grid (k + 1/2) 2^-52 from the 52 upper bits of two words: never 0, never 1. The bits become
+/// the fraction of a number in [1, 2), so that every operation is exact.
+template <class Real = double>
+Real uniform(const Words<Real>& low, const Words<Real>& high) {
+  const Words<Real> fraction = ((low << 32) >> 44) | ((high << 32) >> 12);
+  return (from_bits(fraction | bits_of(Real(1.0))) - Real(1.0)) + Real(0x1p-53);
 }
 
 /// Two uniforms on (0, 1) from one random block.
-inline std::array<double, 2> uniform_pair(const RandomBlock& b) {
-  return {uniform(b[0], b[1]), uniform(b[2], b[3])};
-}
-
-/// Two uniforms on (0, 1) from draw `draw`, a whole number, of each lane's trial first_trial + trial.
-inline std::array<double, 2> uniform_pair(const Stream& stream, std::uint64_t first_trial, std::size_t trial,
-                                          double draw) {
-  return uniform_pair(stream.block(first_trial + trial, static_cast<std::uint64_t>(draw)));
+template <class Real = double>
+std::array<Real, 2> uniform_pair(const RandomBlock<Words<Real>>& b) {
+  return {uniform<Real>(b[0], b[1]), uniform<Real>(b[2], b[3])};
 }
 
 /// Three uniforms on (0, 1) on the grid (k + 1/2) 2^-42 from one random block: one word each, and ten bits each of the
 /// fourth word.
-inline std::array<double, 3> uniform_triple(const RandomBlock& b) {
-  std::array<double, 3> u;
-  for (unsigned i = 0; i < 3; ++i) {
-    const std::uint64_t bits = std::uint64_t{b[i]} << 10 | (b[3] >> (10 * i) & 0x3ffU);
-    u[i] = (static_cast<double>(bits) + 0.5) * 0x1p-42;
+template <class Real = double>
+std::array<Real, 3> uniform_triple(const RandomBlock<Words<Real>>& b) {
+  std::array<Real, 3> u;
+  for (int i = 0; i < 3; ++i) {
+    const Words<Real> ten_bits = (b[3] >> (10 * i)) & Words<Real>(0x3ffU);
+    const Words<Real> fraction = ((b[static_cast<std::size_t>(i)] << 32) >> 12) | (ten_bits << 10);
+    u[static_cast<std::size_t>(i)] = (from_bits(fraction | bits_of(Real(1.0))) - Real(1.0)) + Real(0x1p-43);
   }
   return u;
 }
@@ -50,8 +49,8 @@ std::array<Real, 2> normal_pair(const std::array<Real, 2>& u) {
 /// A direction uniform on the unit sphere from two uniforms (Archimedes): z = 2 u0 - 1, longitude 2 pi u1.
 template <class Real>
 std::array<Real, 3> unit_vector(const std::array<Real, 2>& u) {
-  const Real z = Real(2.0) * u[0] - Real(1.0);
-  const Real r = sqrt(max(Real(1.0) - z * z, Real(0.0)));
+  const Real z = mul_add(Real(2.0), u[0], Real(-1.0));
+  const Real r = sqrt(max(neg_mul_add(z, z, Real(1.0)), Real(0.0)));
   const SinCos<Real> angle = sin_cos_turns(u[1]);
   return {r * angle.cos, r * angle.sin, z};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -8,25 +9,29 @@
 #include <span>
 
 /// The vocabulary in which kernels are written: a `Real` is either `double` (one trial) or a SIMD pack of them (one
-/// trial per lane), and a `Mask` answers a question for every lane. Kernels never branch on a value that differs
-/// between lanes: they select. This header defines the vocabulary for `double`; comparisons and arithmetic are the
-/// built-in operators.
+/// trial per lane), a `Mask` answers a question for every lane, and `Words` holds 64 bits per lane. Kernels never branch
+/// on a value that differs between lanes: they select. This header defines the vocabulary for `double`, core/pack.hpp
+/// for packs; comparisons, arithmetic and bit operations are the operators.
 namespace ridgeloc::core {
 
-/// What belongs to a number type: the type of a comparison, and the type that numbers the trials in its lanes.
+/// What belongs to a number type.
 template <class Real>
 struct RealTraits;
 
 template <>
 struct RealTraits<double> {
   using Mask = bool;
-  using Index = std::size_t;
+  using Words = std::uint64_t;
+  static constexpr std::size_t lanes = 1;
+  static double load(const double* from) { return *from; }
 };
 
 template <class Real>
 using Mask = typename RealTraits<Real>::Mask;
 template <class Real>
-using Index = typename RealTraits<Real>::Index;
+using Words = typename RealTraits<Real>::Words;
+template <class Real>
+inline constexpr std::size_t lanes = RealTraits<Real>::lanes;
 
 /// a where the mask holds, b elsewhere.
 inline double select(bool mask, double a, double b) {
@@ -35,10 +40,40 @@ inline double select(bool mask, double a, double b) {
 inline bool any(bool mask) {
   return mask;
 }
+/// Bit i tells whether the mask holds in lane i.
+inline std::uint32_t lane_bits(bool mask) {
+  return mask ? 1U : 0U;
+}
 
+/// a b + c: rounded once where the instruction set multiplies and adds in one instruction, twice elsewhere.
+inline double mul_add(double a, double b, double c) {
+  return a * b + c;
+}
+/// c - a b, likewise.
+inline double neg_mul_add(double a, double b, double c) {
+  return c - a * b;
+}
+
+/// Correctly rounded square root.
 inline double sqrt(double x) {
   return std::sqrt(x);
 }
+/// Correctly rounded 1 / x.
+inline double reciprocal(double x) {
+  return 1.0 / x;
+}
+
+template <class Real>
+struct RootAndInverse {
+  Real root;
+  Real inverse;
+};
+/// sqrt(x) and the reciprocal of that, each correctly rounded.
+inline RootAndInverse<double> root_and_inverse(double x) {
+  const double root = std::sqrt(x);
+  return {root, 1.0 / root};
+}
+
 inline double abs(double x) {
   return std::fabs(x);
 }
@@ -49,39 +84,92 @@ inline bool is_finite(double x) {
   return std::fabs(x) <= std::numeric_limits<double>::max();
 }
 
+/// The bits of a number, and the number of these bits.
+inline std::uint64_t bits_of(double x) {
+  return std::bit_cast<std::uint64_t>(x);
+}
+inline double from_bits(std::uint64_t bits) {
+  return std::bit_cast<double>(bits);
+}
+/// Product of the lower halves.
+inline std::uint64_t multiply_low_words(std::uint64_t a, std::uint64_t b) {
+  return (a & 0xffffffffU) * (b & 0xffffffffU);
+}
+
 /// Nearest integer, ties to even, for |x| < 2^51.
-inline double round_to_integer(double x) {
+template <class Real>
+Real round_to_integer(Real x) {
   constexpr double shift = 6755399441055744.0;  // 1.5 * 2^52: the sum has no room for a fraction
-  return (x + shift) - shift;
+  return (x + Real(shift)) - Real(shift);
+}
+
+/// A whole number in [0, 2^51) as an integer.
+template <class Real>
+Words<Real> to_words(Real whole) {
+  constexpr std::uint64_t mantissa = 0x000fffffffffffffU;
+  return bits_of(whole + Real(0x1p52)) & Words<Real>(mantissa);
 }
 
 /// x = mantissa * 2^exponent with mantissa in [1, 2), for positive normal x.
-struct SplitDouble {
-  double mantissa;
-  double exponent;
+template <class Real>
+struct Split {
+  Real mantissa;
+  Real exponent;
 };
-inline SplitDouble split(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
-  const auto mantissa = (bits & 0x000fffffffffffffU) | 0x3ff0000000000000U;
-  return {std::bit_cast<double>(mantissa), static_cast<double>(static_cast<std::int64_t>(bits >> 52) - 1023)};
+template <class Real>
+Split<Real> split(Real x) {
+  constexpr std::uint64_t mantissa = 0x000fffffffffffffU;
+  constexpr std::uint64_t exponent_of_one = 0x3ff0000000000000U;
+  constexpr std::uint64_t exponent_of_two_to_52 = 0x4330000000000000U;
+  const Words<Real> bits = bits_of(x);
+  return {from_bits((bits & Words<Real>(mantissa)) | Words<Real>(exponent_of_one)),
+          from_bits((bits >> 52) | Words<Real>(exponent_of_two_to_52)) - Real(0x1p52 + 1023.0)};
 }
 
-/// A first guess of the cube root of a positive normal number, within 4 %: a third of the exponent, by way of the bits.
-inline double cube_root_guess(double x) {
-  constexpr std::uint64_t bias = 0x2a9f7893782da1ceU;  // 2/3 of the exponent bias, tuned for the mantissa's error
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) / 3 + bias);
+/// The values at from[0], from[1], ..., one per lane, and back.
+template <class Real>
+Real load(const double* from) {
+  return RealTraits<Real>::load(from);
+}
+inline void store(double* to, double value) {
+  *to = value;
 }
 
-/// Values of the trials in the lanes, and back.
-inline double load(std::span<const double> column, std::size_t trial) {
-  return column[trial];
+/// The values of the trials from `first` on, one per lane; lanes beyond the end of the column get zeros.
+template <class Real>
+Real load_column(std::span<const double> column, std::size_t first) {
+  if (first + lanes<Real> <= column.size()) return load<Real>(column.data() + first);
+  double values[lanes<Real>] = {};
+  for (std::size_t lane = 0; first + lane < column.size(); ++lane) values[lane] = column[first + lane];
+  return load<Real>(values);
 }
-inline void store(std::span<double> column, std::size_t trial, double value) {
-  column[trial] = value;
+
+/// Writes them back; lanes beyond the end of the column are dropped. Whole numbers may go to a column of small integers.
+template <class Real>
+void store_column(std::span<double> column, std::size_t first, const Real& value) {
+  if (first + lanes<Real> <= column.size()) return store(column.data() + first, value);
+  double values[lanes<Real>];
+  store(values, value);
+  for (std::size_t lane = 0; first + lane < column.size(); ++lane) column[first + lane] = values[lane];
 }
-/// Stores small integers, held as reals while they are selected.
-inline void store_status(std::span<std::uint8_t> column, std::size_t trial, double code) {
-  column[trial] = static_cast<std::uint8_t>(code);
+template <class Real>
+void store_column(std::span<std::uint8_t> column, std::size_t first, const Real& value) {
+  double values[lanes<Real>];
+  store(values, value);
+  const std::size_t end = std::min(lanes<Real>, column.size() - first);
+  for (std::size_t lane = 0; lane < end; ++lane) column[first + lane] = static_cast<std::uint8_t>(values[lane]);
+}
+
+/// first, first + 1, ..., one number per lane.
+template <class Real>
+Real lane_numbers(std::size_t first) {
+  double values[lanes<Real>];
+  for (std::size_t lane = 0; lane < lanes<Real>; ++lane) values[lane] = static_cast<double>(first + lane);
+  return load<Real>(values);
+}
+template <class Real>
+Words<Real> trial_words(std::uint64_t first) {
+  return Words<Real>(first) + to_words(lane_numbers<Real>(0));
 }
 
 }  // namespace ridgeloc::core

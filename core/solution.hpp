@@ -13,7 +13,8 @@ namespace ridgeloc::core {
 
 /// What a solver answers for a batch of problems: structure of arrays, indexed by trial.
 ///
-/// Every column starts as "not run" (NaN, 0). `reshape` allocates only when the batch grows. Not synchronized.
+/// After `reshape` every status is "not run" and the other columns are unspecified until a solver has written them. It
+/// allocates only when the batch grows. Not synchronized.
 struct SolutionBatch {
   std::array<std::vector<double>, position_parameters> estimate;  ///< position (m); the last finite iterate
   std::vector<std::uint8_t> status;                               ///< a `Status` per trial
@@ -26,6 +27,10 @@ struct SolutionBatch {
   std::vector<double> eta_mean;          ///< ... averaged over the iterations
 
   void reshape(std::size_t trials);
+
+  /// Copies what one trial of another batch came to into a slot of this one.
+  void copy_trial(const SolutionBatch& from, std::size_t trial, std::size_t slot);
+
   std::size_t trials() const { return status.size(); }
 };
 

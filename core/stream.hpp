@@ -1,23 +1,13 @@
 #pragma once
 
-#include <Random123/philox.h>
-
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
+
+#include "core/philox.hpp"
 
 namespace ridgeloc::core {
-
-/// Four 32-bit random words: one output of Philox4x32-10.
-using RandomBlock = std::array<std::uint32_t, 4>;
-
-/// Philox4x32-10, the low word of the key first.
-inline RandomBlock philox(const RandomBlock& counter, std::uint64_t key) {
-  const r123::Philox4x32::ctr_type c = {{counter[0], counter[1], counter[2], counter[3]}};
-  const r123::Philox4x32::key_type k = {{static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32)}};
-  const auto out = r123::Philox4x32{}(c, k);
-  return {out[0], out[1], out[2], out[3]};
-}
 
 /// Random numbers by identity: a value is a pure function of (seed, purpose, content, trial, draw).
 ///
@@ -34,11 +24,14 @@ class Stream {
 
   std::uint64_t key() const { return key_; }
 
-  /// The 128 random bits of draw `draw` of trial `trial`.
-  RandomBlock block(std::uint64_t trial, std::uint64_t draw) const {
-    return philox({static_cast<std::uint32_t>(trial), static_cast<std::uint32_t>(trial >> 32),
-                   static_cast<std::uint32_t>(draw), static_cast<std::uint32_t>(draw >> 32)},
-                  key_);
+  /// The 128 random bits of draw `draw` of trial `trial`, alone or in lanes.
+  RandomBlock<std::uint64_t> block(std::uint64_t trial, std::uint64_t draw) const {
+    return philox<std::uint64_t>({trial, trial >> 32, draw, draw >> 32}, key_);
+  }
+  template <class Words>
+    requires(!std::is_integral_v<Words>)
+  RandomBlock<Words> block(const Words& trial, const Words& draw) const {
+    return philox<Words>({trial, trial >> 32, draw, draw >> 32}, key_);
   }
 
  private:

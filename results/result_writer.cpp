@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "results/hdf5.hpp"
 #include "results/result_seal.hpp"
 
 namespace ridgeloc::results {
@@ -37,6 +38,19 @@ void require_complete(const Ledger& ledger, const Header& header, const fs::path
 using CellIndex = std::map<fs::path, std::vector<PartReader::Entry>>;
 
 }  // namespace
+
+std::optional<std::string> isa_of_unfinished(const fs::path& path) {
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path.string() + ".parts", none)) {
+    if (entry.path().extension() != part_extension || TemporaryFile::is_temporary(entry.path())) continue;
+    try {
+      return hdf5::File::open(entry.path()).text_attribute("/", "isa");
+    } catch (const core::IoError&) {
+      // Damaged: another part may tell, and the writer reports this one.
+    }
+  }
+  return std::nullopt;
+}
 
 ResultWriter::ResultWriter(fs::path path, Header header)
     : path_(std::move(path)),

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@
 #include "results/schema.hpp"
 
 namespace ridgeloc::results {
+
+/// The instruction set that computed what a stopped run has left of the result at `path`, if it has left anything.
+std::optional<std::string> isa_of_unfinished(const std::filesystem::path& path);
 
 /// Collects the finished blocks of a study and makes its result file.
 ///

@@ -6,7 +6,7 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build ccache pkg-config git
   libeigen3-dev libceres-dev libtbb-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libfmt-dev
-  catch2 librandom123-dev libssl-dev libxxhash-dev gnuplot-nox
+  catch2 libxsimd-dev librandom123-dev libssl-dev libxxhash-dev gnuplot-nox
   # Other readers of the result files; only the tests use them.
   python3-h5py python3-xarray python3-h5netcdf python3-netcdf4
 )

@@ -4,54 +4,68 @@
 
 #include "core/matrix3.hpp"
 #include "core/problem.hpp"
-#include "core/real.hpp"
 #include "core/solution.hpp"
 #include "core/status.hpp"
 #include "solvers/normal_equations.hpp"
-#include "solvers/options.hpp"
-#include "solvers/range_model.hpp"
+#include "solvers/step.hpp"
 #include "solvers/true_k.hpp"
 
-/// Iterative methods over `Real`. A `Method` has `static constexpr bool has_k`, a `Memory<Real>` that it carries from
-/// step to step, and
-///   Step<Real> step(model, x, iteration, trial, Memory<Real>&) const;
-///   Real weight(score, residual, points) const;   // its weights at the estimate, for the remaining step
+/// One iteration x <- x - dx of any method, and what is recorded of it.
 namespace ridgeloc::solvers {
 
 /// Positions further out than this (m) have left the domain of the model.
 inline constexpr double domain_radius_m = 1e6;
 
-/// What a method proposes at one iterate.
-template <class Real>
-struct Step {
-  core::Vector3<Real> dx;     ///< x <- x - dx
-  core::Mask<Real> singular;  ///< a matrix could not be inverted: no step
-  core::Mask<Real> accepted;  ///< whether |dx| may meet the stop rule
-  core::Vector3<Real> k;      ///< the ridge parameter used, for methods that have one
-};
-
 /// Where the trials in the lanes stand. Lanes need not be at the same iteration.
-template <class Real>
+template <class Real, std::size_t MemorySize>
 struct IterationState {
   core::Vector3<Real> x;
   Real iterations{0.0};
   Real status{static_cast<double>(core::Status::MaxIterations)};
   Real eta_first{std::numeric_limits<double>::quiet_NaN()};
   Real eta_last{std::numeric_limits<double>::quiet_NaN()};
-  Real eta_sum{0.0};
+  Real eta_sum{std::numeric_limits<double>::quiet_NaN()};
+  Memory<Real, MemorySize> memory = [] {
+    Memory<Real, MemorySize> zeros;
+    zeros.fill(Real(0.0));
+    return zeros;
+  }();
+
+  static constexpr std::size_t values = 8 + MemorySize;
+
+  /// Calls f with every value, always in the same order.
+  template <class F>
+  void for_each_value(F f) {
+    for (Real& coordinate : x) f(coordinate);
+    f(iterations);
+    f(status);
+    f(eta_first);
+    f(eta_last);
+    f(eta_sum);
+    for (Real& value : memory) f(value);
+  }
 };
 
+/// What the study knows about the trials in the slots slot, slot + 1, ..., which are numbered `trial`.
+template <class Real>
+TrialOracle<Real> oracle_of(const core::Oracle& oracle, std::size_t slot, const core::Words<Real>& trial) {
+  return {{core::load_column<Real>(oracle.truth[0], slot), core::load_column<Real>(oracle.truth[1], slot),
+           core::load_column<Real>(oracle.truth[2], slot)},
+          Real(oracle.range_sigma_m * oracle.range_sigma_m),
+          oracle.k_error,
+          trial};
+}
+
 /// Takes one step in every active lane and returns which lanes go on.
-template <class Real, class Method>
-core::Mask<Real> advance(const Method& method, const RangeModel<Real>& model, const SolverOptions& options,
-                         const core::Oracle* oracle, core::Index<Real> trial,
-                         typename Method::template Memory<Real>& memory, IterationState<Real>& state,
-                         core::Mask<Real> active) {
+template <class Method, class Model, class State, class Real = typename Model::Real>
+[[gnu::flatten]] core::Mask<Real> advance(const Method& method, const Model& model, const TrialOracle<Real>* oracle, State& state,
+                         const core::Mask<Real>& active) {
   using core::select;
   using Mask = core::Mask<Real>;
+  const SolverOptions& options = method.options;
   const auto code = [](core::Status status) { return Real(static_cast<double>(status)); };
 
-  const Step<Real> step = method.step(model, state.x, state.iterations, trial, memory);
+  const Step<Real> step = method.step(model, state.x, state.iterations, oracle, state.memory);
   const core::Vector3<Real> next = core::subtract(state.x, step.dx);
   const Real distance = core::dot(next, next);
   const Real length = core::dot(step.dx, step.dx);
@@ -63,10 +77,11 @@ core::Mask<Real> advance(const Method& method, const RangeModel<Real>& model, co
 
   if constexpr (Method::has_k) {
     if (oracle != nullptr) {
-      const Real eta = similarity(options.eta, step.k, true_k(options.k_true, state.x, *oracle, trial));
-      state.eta_first = select(moved & (state.iterations < Real(0.5)), eta, state.eta_first);
+      const Real eta = similarity(options.eta, step.k, true_k(options.k_true, state.x, *oracle));
+      const Mask first = moved & (state.iterations < Real(0.5));
+      state.eta_first = select(first, eta, state.eta_first);
       state.eta_last = select(moved, eta, state.eta_last);
-      state.eta_sum = select(moved, state.eta_sum + eta, state.eta_sum);
+      state.eta_sum = select(first, eta, select(moved, state.eta_sum + eta, state.eta_sum));
     }
   }
   state.x = core::select<Real>(moved, next, state.x);
@@ -79,54 +94,36 @@ core::Mask<Real> advance(const Method& method, const RangeModel<Real>& model, co
   return moved & !left & !converged & (state.iterations < limit);
 }
 
-/// Writes what the trials in the lanes came to.
-template <class Real, class Method>
-void finish(const Method& method, const RangeModel<Real>& model, core::Index<Real> trial,
-            const IterationState<Real>& state, core::SolutionBatch& out) {
+/// Residuals and the remaining step at the estimates of a finished batch, from slot `slot` on.
+template <class Method, class Model, class Real = typename Model::Real>
+[[gnu::flatten]] void evaluate_estimate(const Method& method, const Model& model, std::size_t slot, core::SolutionBatch& out) {
+  const core::Vector3<Real> x = {core::load_column<Real>(out.estimate[0], slot),
+                                 core::load_column<Real>(out.estimate[1], slot),
+                                 core::load_column<Real>(out.estimate[2], slot)};
   NormalEquations<Real> equations;
   Real squares(0.0);
   for (std::size_t j = 0; j < model.points(); ++j) {
-    const RangeObservation<Real> o = model.observe(j, state.x);
+    const RangeObservation<Real> o = model.observe(j, x);
     equations.add(o, method.weight(model.score(j), o.residual, model.points()));
-    squares = squares + o.residual * o.residual;
+    squares = core::mul_add(o.residual, o.residual, squares);
   }
   const core::LinearSolution<Real> rest = core::solve(equations.matrix, equations.gradient);
   const Real remaining =
       core::select(rest.singular, Real(std::numeric_limits<double>::infinity()), core::sqrt(core::dot(rest.x, rest.x)));
-
-  for (std::size_t i = 0; i < 3; ++i) core::store(out.estimate[i], trial, state.x[i]);
-  core::store_status(out.status, trial, state.status);
-  core::store(out.iterations, trial, state.iterations);
-  core::store(out.residual_rms_m, trial, core::sqrt(squares / Real(static_cast<double>(model.points()))));
-  core::store(out.remaining_step_m, trial, remaining);
-  if constexpr (Method::has_k) {
-    core::store(out.eta_first, trial, state.eta_first);
-    core::store(out.eta_last, trial, state.eta_last);
-    core::store(out.eta_mean, trial, state.eta_sum / state.iterations);
-  }
+  const Real rms = core::sqrt(squares * Real(1.0 / static_cast<double>(model.points())));
+  core::store_column<Real>(out.residual_rms_m, slot, rms);
+  core::store_column<Real>(out.remaining_step_m, slot, remaining);
 }
 
-/// Runs a method on the trials in the lanes of one `Real`: x <- x - dx until |dx| < step_tolerance_m, the last step
-/// applied and counted, for at most max_iterations steps.
-template <class Real, class Method>
-void iterate(const Method& method, const core::ProblemBatch& problems, const SolverOptions& options,
-             const core::Oracle* oracle, core::Index<Real> trial, core::SolutionBatch& out) {
-  const RangeModel<Real> model(problems, trial);
-  typename Method::template Memory<Real> memory{};
-  IterationState<Real> state{model.start()};
-  core::Mask<Real> active = state.iterations < Real(static_cast<double>(options.max_iterations));
-  while (core::any(active)) active = advance(method, model, options, oracle, trial, memory, state, active);
-  finish(method, model, trial, state, out);
-}
-
-/// Runs a method on every problem of a batch.
-template <class Method>
-void solve_batch(const Method& method, const core::ProblemBatch& problems, const SolverOptions& options,
-                 const core::Oracle* oracle, core::SolutionBatch& out) {
-  out.reshape(problems.trials());
-  for (std::size_t trial = 0; trial < problems.trials(); ++trial) {
-    iterate<double>(method, problems, options, oracle, trial, out);
-  }
+/// Writes where the trials in the slots slot, slot + 1, ... stand.
+template <class Real, std::size_t MemorySize>
+[[gnu::flatten]] void store_state(const IterationState<Real, MemorySize>& state, std::size_t slot, core::SolutionBatch& out) {
+  for (std::size_t i = 0; i < 3; ++i) core::store_column<Real>(out.estimate[i], slot, state.x[i]);
+  core::store_column<Real>(std::span<std::uint8_t>(out.status), slot, state.status);
+  core::store_column<Real>(out.iterations, slot, state.iterations);
+  core::store_column<Real>(out.eta_first, slot, state.eta_first);
+  core::store_column<Real>(out.eta_last, slot, state.eta_last);
+  core::store_column<Real>(out.eta_mean, slot, state.eta_sum * core::reciprocal(state.iterations));
 }
 
 }  // namespace ridgeloc::solvers

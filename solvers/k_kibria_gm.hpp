@@ -21,7 +21,7 @@ struct KibriaGm {
     const Real floor(k_length_floor_m);
     const Real product = core::max(core::abs(c.ols_step[0]), floor) * core::max(core::abs(c.ols_step[1]), floor) *
                          core::max(core::abs(c.ols_step[2]), floor);
-    const Real k = c.sigma2 / core::cube_root(product * product);
+    const Real k = c.sigma2 * core::inverse_cube_root(product * product);
     return {k, k, k};
   }
 };

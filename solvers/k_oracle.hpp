@@ -15,12 +15,12 @@ core::Vector3<Real> perturbed(const core::Vector3<Real>& k, const KContext<Real>
   const double distance = 1.0 / c.options.similarity - 1.0;
   if (distance == 0.0) return k;
   const Real draw = c.options.k_error_draw == KErrorDraw::PerIteration ? c.iteration : Real(0.0);
-  core::Vector3<Real> u =
-      core::unit_vector(core::uniform_pair(c.oracle->k_error, c.oracle->first_trial, c.trial, draw));
+  const auto block = c.oracle->k_error.block(c.oracle->trial, core::to_words(draw));
+  core::Vector3<Real> u = core::unit_vector(core::uniform_pair<Real>(block));
   core::Vector3<Real> result;
   for (std::size_t i = 0; i < 3; ++i) {
     if (c.options.k_error == KError::Positive) u[i] = core::abs(u[i]);
-    result[i] = k[i] + Real(distance) * u[i];
+    result[i] = core::mul_add(Real(distance), u[i], k[i]);
   }
   return result;
 }
@@ -34,7 +34,7 @@ struct OracleElem {
 
   template <class Real>
   core::Vector3<Real> operator()(const KContext<Real>& c) const {
-    return perturbed(true_k(KTrue::Elem, c.x, *c.oracle, c.trial), c);
+    return perturbed(true_k(KTrue::Elem, c.x, *c.oracle), c);
   }
 };
 
@@ -47,7 +47,7 @@ struct OracleGm {
 
   template <class Real>
   core::Vector3<Real> operator()(const KContext<Real>& c) const {
-    return perturbed(true_k(KTrue::Gm, c.x, *c.oracle, c.trial), c);
+    return perturbed(true_k(KTrue::Gm, c.x, *c.oracle), c);
   }
 };
 

@@ -11,19 +11,20 @@ struct NormalEquations {
   core::Symmetric3<Real> matrix;
   core::Vector3<Real> gradient{Real(0.0), Real(0.0), Real(0.0)};
 
-  void add(const RangeObservation<Real>& o, Real weight) {
+  void add(const RangeObservation<Real>& o, const Real& weight) {
+    using core::mul_add;
     const Real wx = weight * o.direction[0];
     const Real wy = weight * o.direction[1];
     const Real wz = weight * o.direction[2];
-    matrix.xx = matrix.xx + wx * o.direction[0];
-    matrix.xy = matrix.xy + wx * o.direction[1];
-    matrix.xz = matrix.xz + wx * o.direction[2];
-    matrix.yy = matrix.yy + wy * o.direction[1];
-    matrix.yz = matrix.yz + wy * o.direction[2];
-    matrix.zz = matrix.zz + wz * o.direction[2];
-    gradient[0] = gradient[0] + wx * o.residual;
-    gradient[1] = gradient[1] + wy * o.residual;
-    gradient[2] = gradient[2] + wz * o.residual;
+    matrix.xx = mul_add(wx, o.direction[0], matrix.xx);
+    matrix.xy = mul_add(wx, o.direction[1], matrix.xy);
+    matrix.xz = mul_add(wx, o.direction[2], matrix.xz);
+    matrix.yy = mul_add(wy, o.direction[1], matrix.yy);
+    matrix.yz = mul_add(wy, o.direction[2], matrix.yz);
+    matrix.zz = mul_add(wz, o.direction[2], matrix.zz);
+    gradient[0] = mul_add(wx, o.residual, gradient[0]);
+    gradient[1] = mul_add(wy, o.residual, gradient[1]);
+    gradient[2] = mul_add(wz, o.residual, gradient[2]);
   }
 };
 

@@ -1,10 +1,16 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "core/matrix3.hpp"
 #include "core/problem.hpp"
 #include "core/real.hpp"
 
 namespace ridgeloc::solvers {
+
+/// A number of points that is known only when the program runs.
+inline constexpr std::size_t any_points = 0;
 
 /// One range observation, linearised at a position.
 template <class Real>
@@ -14,29 +20,38 @@ struct RangeObservation {
 };
 
 /// The range model of one trial per lane, unknown x = (x, y, z): e_j(x) = |p_j - x| - m_j.
-/// At a point itself the direction, and with it every step, is not a number.
-template <class Real>
+/// At a point itself the direction, and with it every step, is not a number. `Points` fixes the number of points when
+/// the program is compiled, so that loops over them unroll.
+template <class RealType, std::size_t Points = any_points>
 class RangeModel {
  public:
-  RangeModel(const core::ProblemBatch& problems, core::Index<Real> trial) : problems_(problems), trial_(trial) {}
+  using Real = RealType;
 
-  std::size_t points() const { return problems_.points(); }
+  /// The trials in the slots slot, slot + 1, ... of a batch. Lanes beyond its end hold unspecified numbers.
+  RangeModel(const core::ProblemBatch& problems, std::size_t slot)
+      : first_(problems.data() + slot),
+        stride_(problems.stride()),
+        points_(problems.points()),
+        has_scores_(problems.has_scores()) {}
+
+  std::size_t points() const {
+    if constexpr (Points == any_points) return points_;
+    return Points;
+  }
 
   core::Vector3<Real> start() const {
-    return {core::load(problems_.start(0), trial_), core::load(problems_.start(1), trial_),
-            core::load(problems_.start(2), trial_)};
+    const std::size_t column = core::ProblemBatch::start_column(points(), 0);
+    return {value(column), value(column + 1), value(column + 2)};
   }
 
   Real score(std::size_t j) const {
-    return problems_.has_scores() ? core::load(problems_.score(j), trial_) : Real(1.0);
+    return has_scores_ ? value(core::ProblemBatch::score_column(points(), j)) : Real(1.0);
   }
 
   RangeObservation<Real> observe(std::size_t j, const core::Vector3<Real>& x) const {
     const core::Vector3<Real> d = from_point(j, x);
-    const Real squared = core::dot(d, d);
-    const Real range = core::sqrt(squared);
-    const Real inverse = Real(1.0) / range;
-    return {{d[0] * inverse, d[1] * inverse, d[2] * inverse}, range - core::load(problems_.measured(j), trial_)};
+    const auto [range, inverse] = core::root_and_inverse(core::dot(d, d));
+    return {{d[0] * inverse, d[1] * inverse, d[2] * inverse}, range - measured(j)};
   }
 
   /// e_j at x, and how much the step x <- x - dx changes it: r^2 changes by dx'(dx - 2 (x - p)), free of the
@@ -49,24 +64,28 @@ class RangeModel {
     const core::Vector3<Real> before = from_point(j, x);
     const core::Vector3<Real> after = core::subtract(before, dx);
     const Real range = core::sqrt(core::dot(before, before));
-    const Real squares_change = core::dot(dx, dx) - Real(2.0) * core::dot(dx, before);
-    return {range - core::load(problems_.measured(j), trial_),
-            squares_change / (range + core::sqrt(core::dot(after, after)))};
+    const Real squares_change = core::neg_mul_add(Real(2.0), core::dot(dx, before), core::dot(dx, dx));
+    return {range - measured(j), squares_change * core::reciprocal(range + core::sqrt(core::dot(after, after)))};
   }
 
   Real residual(std::size_t j, const core::Vector3<Real>& x) const {
     const core::Vector3<Real> d = from_point(j, x);
-    return core::sqrt(core::dot(d, d)) - core::load(problems_.measured(j), trial_);
+    return core::sqrt(core::dot(d, d)) - measured(j);
   }
 
  private:
+  Real value(std::size_t column) const { return core::load<Real>(first_ + column * stride_); }
+  Real measured(std::size_t j) const { return value(core::ProblemBatch::measured_column(j)); }
+
   core::Vector3<Real> from_point(std::size_t j, const core::Vector3<Real>& x) const {
-    return {x[0] - core::load(problems_.position(j, 0), trial_), x[1] - core::load(problems_.position(j, 1), trial_),
-            x[2] - core::load(problems_.position(j, 2), trial_)};
+    const std::size_t column = core::ProblemBatch::position_column(j, 0);
+    return {x[0] - value(column), x[1] - value(column + 1), x[2] - value(column + 2)};
   }
 
-  const core::ProblemBatch& problems_;
-  core::Index<Real> trial_;
+  const double* first_;
+  std::size_t stride_;
+  std::size_t points_;
+  bool has_scores_;
 };
 
 }  // namespace ridgeloc::solvers

@@ -1,53 +1,46 @@
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "solvers/k_registry.hpp"
-#include "solvers/lm.hpp"
-#include "solvers/ols.hpp"
-#include "solvers/ridge.hpp"
+#include "solvers/kernels.hpp"
 #include "solvers/solver.hpp"
 
 namespace ridgeloc::solvers {
 
 namespace {
 
-void solve_ols(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
-               core::SolutionBatch& out) {
-  solve_batch(Ols{}, problems, options, oracle, out);
+/// In the order of core::Isa.
+const std::array<Kernels, core::isa_count>& kernels_by_isa() {
+  static const std::array<Kernels, core::isa_count> kernels_of_program = {
+      kernels<core::Isa::Baseline>(),
+#if defined(__x86_64__)
+      kernels<core::Isa::Avx2>(),
+      kernels<core::Isa::Avx512>(),
+#endif
+  };
+  return kernels_of_program;
 }
 
-void solve_lm(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
-              core::SolutionBatch& out) {
-  solve_batch(LazyLevenbergMarquardt{}, problems, options, oracle, out);
-}
-
-void solve_rr(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
-              core::SolutionBatch& out) {
-  solve_batch(Ridge{options, oracle, false}, problems, options, oracle, out);
-}
-
-void solve_rrr(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
-               core::SolutionBatch& out) {
-  solve_batch(Ridge{options, oracle, true}, problems, options, oracle, out);
+template <std::size_t... I>
+std::array<SolverEntry, sizeof...(I)> make_registry(std::index_sequence<I...>) {
+  const auto& by_isa = kernels_by_isa();
+  return {SolverEntry{std::tuple_element_t<I, Methods>::name,
+                      std::tuple_element_t<I, Methods>::summary,
+                      std::tuple_element_t<I, Methods>::option_names,
+                      solve<double, I>,
+                      {by_isa[0].solvers[I], by_isa[1].solvers[I], by_isa[2].solvers[I]}}...};
 }
 
 }  // namespace
 
 std::span<const SolverEntry> solver_registry() {
-  static const std::vector<std::string_view> ridge_options = {
-      "k", "k_fixed", "similarity", "k_error", "k_error_draw", "ktrue", "eta"};
-  static const std::vector<std::string_view> robust_options = [] {
-    auto options = ridge_options;
-    options.emplace_back("theta_m");
-    return options;
-  }();
-  static const std::array<SolverEntry, 4> registry = {{
-      {"ols", "Gauss-Newton least squares", {}, solve_ols},
-      {"lm", "Levenberg-Marquardt, damped only after a rejected step", {}, solve_lm},
-      {"rr", "ridge regression with K estimated at every iteration", ridge_options, solve_rr},
-      {"rrr", "robust ridge regression: reweighted residuals and K", robust_options, solve_rrr},
-  }};
+  static const auto registry = make_registry(std::make_index_sequence<std::tuple_size_v<Methods>>{});
   return registry;
+}
+
+DilutionKernel dilution_kernel(core::Isa isa) {
+  return kernels_by_isa()[static_cast<std::size_t>(isa)].dilution;
 }
 
 const SolverEntry* find_solver(std::string_view name) {

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
+#include "core/isa.hpp"
 #include "core/problem.hpp"
 #include "core/solution.hpp"
 #include "solvers/options.hpp"
@@ -22,9 +23,17 @@ using Solver = void (*)(const core::ProblemBatch& problems, const SolverOptions&
 struct SolverEntry {
   std::string_view name;
   std::string_view summary;
-  std::vector<std::string_view> options;  ///< names of the settings that it reads besides the common ones
-  Solver solve;
+  std::span<const std::string_view> options;   ///< names of the settings that it reads besides the common ones
+  Solver solve;                                ///< in double, one trial at a time: the reference
+  std::array<Solver, core::isa_count> kernels; ///< several trials at a time; null where the program holds none
+
+  Solver kernel(core::Isa isa) const { return kernels[static_cast<std::size_t>(isa)]; }
 };
+
+/// `dilution_of_precision`, compiled for an instruction set. Precondition: core::is_supported(isa).
+using DilutionKernel = void (*)(const core::ProblemBatch& problems, const std::array<double, 3>& truth,
+                                std::span<double> gdop);
+DilutionKernel dilution_kernel(core::Isa isa);
 
 /// All solvers, in the order in which `list` shows them.
 std::span<const SolverEntry> solver_registry();

@@ -2,7 +2,6 @@
 
 #include "core/elementary.hpp"
 #include "core/matrix3.hpp"
-#include "core/problem.hpp"
 #include "solvers/k_context.hpp"
 #include "solvers/options.hpp"
 
@@ -11,16 +10,17 @@ namespace ridgeloc::solvers {
 /// The true ridge parameter at iterate x: k'_i = sigma^2 / (x - x_true)_i^2 (RRR paper, eq. 11), or for `Gm` its
 /// geometric mean in every component. Errors below `k_length_floor_m` count as that long.
 template <class Real>
-core::Vector3<Real> true_k(KTrue reading, const core::Vector3<Real>& x, const core::Oracle& oracle,
-                           core::Index<Real> trial) {
-  const Real sigma2(oracle.range_sigma_m * oracle.range_sigma_m);
+core::Vector3<Real> true_k(KTrue reading, const core::Vector3<Real>& x, const TrialOracle<Real>& oracle) {
   core::Vector3<Real> squared;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Real error = core::max(core::abs(x[i] - core::load(oracle.truth[i], trial)), Real(k_length_floor_m));
+    const Real error = core::max(core::abs(x[i] - oracle.truth[i]), Real(k_length_floor_m));
     squared[i] = error * error;
   }
-  if (reading == KTrue::Elem) return {sigma2 / squared[0], sigma2 / squared[1], sigma2 / squared[2]};
-  const Real k = sigma2 / core::cube_root(squared[0] * squared[1] * squared[2]);
+  if (reading == KTrue::Elem) {
+    return {oracle.range_variance * core::reciprocal(squared[0]), oracle.range_variance * core::reciprocal(squared[1]),
+            oracle.range_variance * core::reciprocal(squared[2])};
+  }
+  const Real k = oracle.range_variance * core::inverse_cube_root(squared[0] * squared[1] * squared[2]);
   return {k, k, k};
 }
 
@@ -30,7 +30,7 @@ template <class Real>
 Real similarity(Eta eta, const core::Vector3<Real>& k, const core::Vector3<Real>& k_true) {
   const core::Vector3<Real> d = core::subtract(k, k_true);
   const Real squared = eta == Eta::Squared ? core::dot(d, d) : core::abs(d[0] + d[1] + d[2]);
-  return Real(1.0) / (Real(1.0) + core::sqrt(squared));
+  return core::reciprocal(Real(1.0) + core::sqrt(squared));
 }
 
 }  // namespace ridgeloc::solvers

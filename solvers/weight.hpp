@@ -9,7 +9,7 @@ namespace ridgeloc::solvers {
 
 /// Least-squares weight w_i = s_i^2 (RRR paper, eq. 7).
 template <class Real>
-Real score_weight(Real score) {
+Real score_weight(const Real& score) {
   return score * score;
 }
 
@@ -17,9 +17,9 @@ Real score_weight(Real score) {
 /// (RRR paper, eq. 14, absolute value and index restored). It is Huber's weight up to the factor theta, so its fixed
 /// point minimises sum s_i huber_theta(e_i) / theta.
 template <class Real>
-Real robust_weight(Real score, Real residual, std::size_t points, double theta_m) {
+Real robust_weight(const Real& score, const Real& residual, std::size_t points, double theta_m) {
   if (points <= core::position_parameters) return score;
-  return score / core::max(Real(theta_m), core::abs(residual));
+  return score * core::reciprocal(core::max(Real(theta_m), core::abs(residual)));
 }
 
 }  // namespace ridgeloc::solvers

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/isa.hpp"
 #include "results/block.hpp"
 #include "results/schema.hpp"
 #include "studies/value.hpp"
@@ -35,13 +36,15 @@ struct TrialRange {
   std::size_t count = 0;
 };
 
-/// Scratch memory of one thread, kept from block to block.
+/// Scratch memory of one thread, kept from block to block, and the instruction set that the thread computes with.
 class Workspace {
  public:
-  Workspace() = default;
+  explicit Workspace(core::Isa set) : isa(set) {}
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
   virtual ~Workspace() = default;
+
+  const core::Isa isa;
 };
 
 /// A kind of simulated experiment. The runner, the store, the statistics and the figures know this interface alone, so
@@ -75,11 +78,11 @@ class Experiment {
   /// Labels of what the experiment reports beside the methods, after them in the order of columns.
   virtual std::vector<std::string> extra_labels() const = 0;
 
-  /// Scratch memory for one thread.
-  virtual std::unique_ptr<Workspace> make_workspace() const = 0;
+  /// Scratch memory for one thread. Precondition: core::is_supported(isa).
+  virtual std::unique_ptr<Workspace> make_workspace(core::Isa isa) const = 0;
 
   /// Simulates and solves a range of trials of one cell and hands every column to `sink`. A pure function of (seed,
-  /// cell, methods, range): no clock, no thread, no state between calls. Thread safe for distinct workspaces.
+  /// cell, methods, range, instruction set): no clock, no thread, no state between calls. Thread safe for distinct workspaces.
   virtual void run_block(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, TrialRange range,
                          Workspace& workspace, results::BlockSink& sink) const = 0;
 };

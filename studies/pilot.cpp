@@ -10,7 +10,7 @@ Pilot run_pilot(const Study& study, const Plan& plan, double budget_s) {
   const auto seconds_since = [](Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
   };
-  const auto workspace = study.experiment->make_workspace();
+  const auto workspace = study.experiment->make_workspace(plan.isa);
   const Clock::time_point begin = Clock::now();
   Pilot pilot;
   for (std::uint64_t count = 16; count <= plan.header.block_trials && seconds_since(begin) < budget_s; count *= 4) {

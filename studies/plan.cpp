@@ -115,8 +115,9 @@ std::string method_content(const Study& study, const Method& method) {
   return content;
 }
 
-results::Header make_header(const Study& study, const std::vector<Cell>& cells) {
+results::Header make_header(const Study& study, const std::vector<Cell>& cells, core::Isa isa) {
   results::Header header;
+  header.isa = core::name_of(isa);
   header.title = study.title;
   header.experiment = study.experiment->name();
   header.experiment_version = study.experiment->version();
@@ -153,15 +154,16 @@ TrialRange Plan::range(std::uint64_t block) const {
   return {first, static_cast<std::size_t>(std::min(header.block_trials, header.trials - first))};
 }
 
-Plan make_plan(const Study& study) {
+Plan make_plan(const Study& study, core::Isa isa) {
   Plan plan;
+  plan.isa = isa;
   plan.cells = make_cells(study);
   if (plan.cells.empty()) {
     throw core::InputError(
         fmt::format("{}: sweep.exclude leaves no cell at all; remove one of its tables", study.name));
   }
   for (std::size_t i = 0; i < plan.cells.size(); ++i) plan.cells[i].index = i;
-  plan.header = make_header(study, plan.cells);
+  plan.header = make_header(study, plan.cells, isa);
   plan.blocks_per_cell = (study.trials + plan.header.block_trials - 1) / plan.header.block_trials;
   return plan;
 }

@@ -6,11 +6,9 @@
 
 #include "core/problem.hpp"
 #include "core/solution.hpp"
-#include "sim/field_of_view.hpp"
-#include "sim/range_noise.hpp"
+#include "sim/kernels.hpp"
 #include "solvers/solver.hpp"
 #include "studies/ranging_settings.hpp"
-#include "studies/yardsticks.hpp"
 
 namespace ridgeloc::studies {
 
@@ -46,6 +44,8 @@ results::Schema make_schema() {
 }
 
 struct Scratch : Workspace {
+  using Workspace::Workspace;
+
   core::ProblemBatch problems;
   core::SolutionBatch solutions;
   std::array<std::vector<double>, 3> truth;
@@ -59,7 +59,7 @@ class Ranging : public Experiment {
   std::string_view summary() const override {
     return "noisy ranges to objects in a field of view (RRR paper, section 4, Fig. 3)";
   }
-  int version() const override { return 1; }
+  int version() const override { return 2; }
   std::uint64_t block_trials() const override { return 4096; }
   std::span<const Setting> settings() const override { return ranging_settings(); }
   const results::Schema& schema() const override {
@@ -106,7 +106,9 @@ methods = ["ols", "rr", "rrr"]
 
   std::vector<std::string> extra_labels() const override { return {std::string(scene_label)}; }
 
-  std::unique_ptr<Workspace> make_workspace() const override { return std::make_unique<Scratch>(); }
+  std::unique_ptr<Workspace> make_workspace(core::Isa isa) const override {
+    return std::make_unique<Scratch>(isa);
+  }
 
   void run_block(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, TrialRange range,
                  Workspace& workspace, results::BlockSink& sink) const override {
@@ -114,9 +116,10 @@ methods = ["ols", "rr", "rrr"]
     const RangingCell settings(cell.values);
 
     scratch.problems.reshape(settings.points, range.count);
-    sim::place_objects(settings.view, sim::SceneStreams(seed, settings.view), range.first, scratch.problems);
-    sim::measure_ranges(*settings.noise, settings.range_sigma_m, core::Stream(seed, "noise", settings.noise->name),
-                        range.first, scratch.problems);
+    const sim::Kernels scene = sim::kernels(scratch.isa);
+    scene.place_objects(settings.view, sim::SceneStreams(seed, settings.view), range.first, scratch.problems);
+    scene.measure_ranges(*settings.noise, settings.range_sigma_m, core::Stream(seed, "noise", settings.noise->name),
+                         range.first, scratch.problems);
 
     core::Oracle oracle;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -129,7 +132,8 @@ methods = ["ols", "rr", "rrr"]
 
     for (std::size_t m = 0; m < methods.size(); ++m) {
       const solvers::SolverOptions options = solver_options(cell.values, methods[m].given);
-      solvers::find_solver(methods[m].solver)->solve(scratch.problems, options, &oracle, scratch.solutions);
+      const solvers::Solver solve = solvers::find_solver(methods[m].solver)->kernel(scratch.isa);
+      solve(scratch.problems, options, &oracle, scratch.solutions);
       const auto read = settings_of_solver(methods[m].solver);
       const bool reads_k = std::ranges::find(read, "k") != read.end();
       report_method(m, options, reads_k, scratch, sink);
@@ -187,7 +191,7 @@ methods = ["ols", "rr", "rrr"]
 
   static void report_scene(std::size_t label, const RangingCell& settings, Scratch& scratch, results::BlockSink& sink) {
     scratch.values.resize(scratch.problems.trials());
-    dilution_of_precision(scratch.problems, sim::true_position_m, scratch.values);
+    solvers::dilution_kernel(scratch.isa)(scratch.problems, sim::true_position_m, scratch.values);
     sink.metric(label, Gdop, scratch.values);
     for (double& value : scratch.values) value = std::isinf(value) ? value : value * settings.range_sigma_m;
     sink.metric(label, CrbM, scratch.values);

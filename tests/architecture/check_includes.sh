@@ -27,7 +27,7 @@ done
 
 # Third-party libraries that a folder may use at all; what is not named here is the standard library or the system.
 declare -A libraries=(
-  [core]="Random123"
+  [core]="xsimd"
   [sim]=""
   [solvers]="ceres Eigen"
   [results]="hdf5 openssl xxhash fmt"

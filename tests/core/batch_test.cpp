@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "catch.hpp"
 #include "core/problem.hpp"
@@ -38,7 +37,5 @@ TEST_CASE("a solution starts as not run") {
   SolutionBatch solutions;
   solutions.reshape(2);
   CHECK(solutions.status[1] == static_cast<std::uint8_t>(Status::NotRun));
-  CHECK(std::isnan(solutions.estimate[0][1]));
-  CHECK(std::isnan(solutions.eta_first[1]));
   CHECK(status_names[static_cast<std::size_t>(Status::LeftDomain)] == "left_domain");
 }

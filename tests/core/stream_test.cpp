@@ -1,23 +1,39 @@
 #include "core/stream.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <set>
 
 #include "catch.hpp"
 
 using namespace ridgeloc::core;
 
+namespace {
+
+using Block = std::array<std::uint32_t, 4>;
+
+/// The words of a block: what lies above them is unspecified.
+Block words(const RandomBlock<std::uint64_t>& block) {
+  Block out;
+  std::ranges::transform(block, out.begin(), [](std::uint64_t word) { return static_cast<std::uint32_t>(word); });
+  return out;
+}
+
+}  // namespace
+
 TEST_CASE("Philox4x32-10 gives the known answers of its authors") {
   // kat_vectors of Random123, philox4x32 with 10 rounds.
-  CHECK(philox({0, 0, 0, 0}, 0) == RandomBlock{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8});
-  CHECK(philox({0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff}, 0xffffffffffffffff) ==
-        RandomBlock{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd});
-  CHECK(philox({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, 0x299f31d0a4093822) ==
-        RandomBlock{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1});
+  CHECK(words(philox({0, 0, 0, 0}, 0)) == Block{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8});
+  CHECK(words(philox({0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff}, 0xffffffffffffffff)) ==
+        Block{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd});
+  CHECK(words(philox({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, 0x299f31d0a4093822)) ==
+        Block{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1});
 }
 
 TEST_CASE("A block's counter is (trial, draw), low words first") {
   const Stream stream(1, "scene");
-  CHECK(stream.block(0x0000000500000007, 0x0000000200000003) == philox({7, 5, 3, 2}, stream.key()));
+  CHECK(words(stream.block(0x0000000500000007, 0x0000000200000003)) == words(philox({7, 5, 3, 2}, stream.key())));
 }
 
 TEST_CASE("Streams that differ in seed, purpose or content have different keys") {

@@ -4,6 +4,7 @@
 
 #include "catch.hpp"
 #include "core/random.hpp"
+#include "solvers/iteration.hpp"
 #include "solvers/k_oracle.hpp"
 #include "solvers/true_k.hpp"
 #include "tests/solvers/hand_scene.hpp"
@@ -23,11 +24,13 @@ struct Origin {
     oracle.range_sigma_m = sigma_m;
     oracle.k_error = core::Stream(2018, "k_error");
   }
+
+  solvers::TrialOracle<double> of(std::size_t trial) const { return solvers::oracle_of<double>(oracle, trial, oracle.first_trial + trial); }
 };
 
-solvers::KContext<double> context(const Origin& origin, const solvers::SolverOptions& options, const Point& x,
-                                  std::size_t trial, int iteration) {
-  return {{}, 0.0, x, static_cast<double>(iteration), trial, &origin.oracle, options};
+solvers::KContext<double> context(const solvers::TrialOracle<double>& oracle, const solvers::SolverOptions& options,
+                                  const Point& x, int iteration) {
+  return {{}, 0.0, x, static_cast<double>(iteration), &oracle, options};
 }
 
 }  // namespace
@@ -35,15 +38,15 @@ solvers::KContext<double> context(const Origin& origin, const solvers::SolverOpt
 TEST_CASE("the true K is sigma^2 over the squared error, by component or as geometric mean") {
   const Origin origin(1, 0.1);
   const Point x{0.1, -0.5, 2.0};
-  const auto elem = solvers::true_k(solvers::KTrue::Elem, x, origin.oracle, 0);
+  const auto elem = solvers::true_k(solvers::KTrue::Elem, x, origin.of(0));
   CHECK(elem[0] == Approx(1.0));
   CHECK(elem[1] == Approx(0.04));
   CHECK(elem[2] == Approx(0.0025));
-  const auto gm = solvers::true_k(solvers::KTrue::Gm, x, origin.oracle, 0);
+  const auto gm = solvers::true_k(solvers::KTrue::Gm, x, origin.of(0));
   CHECK(gm[0] == Approx(std::cbrt(1.0 * 0.04 * 0.0025)));
   CHECK(gm[0] == gm[1]);
   CHECK(gm[0] == gm[2]);
-  const auto at_truth = solvers::true_k<double>(solvers::KTrue::Elem, {0, 1, 1}, origin.oracle, 0);
+  const auto at_truth = solvers::true_k<double>(solvers::KTrue::Elem, {0, 1, 1}, origin.of(0));
   CHECK(at_truth[0] == Approx(0.01 / 1e-18));
 }
 
@@ -68,8 +71,9 @@ TEST_CASE("a perturbed K has the similarity asked for, to rounding") {
         // Errors from a nanometre, where K' is 10^16, to ten metres.
         const double size = std::pow(10.0, -9.0 + 10.0 * static_cast<double>(t) / trials);
         const Point x{size, -0.3 * size, 2.0 * size};
-        const auto c = context(origin, options, x, t, static_cast<int>(t % 30));
-        const auto k_true = solvers::true_k(solvers::KTrue::Elem, x, origin.oracle, t);
+        const solvers::TrialOracle<double> known = origin.of(t);
+        const auto c = context(known, options, x, static_cast<int>(t % 30));
+        const auto k_true = solvers::true_k(solvers::KTrue::Elem, x, origin.of(t));
         const double achieved = solvers::similarity(solvers::Eta::Squared, solvers::OracleElem{}(c), k_true);
         const double norm = std::hypot(k_true[0], k_true[1], k_true[2]);
         worst = std::max(worst, std::fabs(achieved - eta) / std::max(1.0, norm));
@@ -86,7 +90,8 @@ TEST_CASE("the direction of the error is drawn per iteration or per trial, of ei
   options.similarity = 0.5;
   const Point x{1, 1, 1};
   const auto k = [&](std::size_t trial, int iteration) {
-    return solvers::OracleElem{}(context(origin, options, x, trial, iteration));
+    const solvers::TrialOracle<double> known = origin.of(trial);
+    return solvers::OracleElem{}(context(known, options, x, iteration));
   };
   CHECK(k(0, 0) != k(0, 1));
   CHECK(k(0, 0) != k(1, 0));
@@ -107,9 +112,11 @@ TEST_CASE("an oracle's K does not depend on where in a batch the trial lies") {
   solvers::SolverOptions options;
   options.similarity = 0.7;
   const Point x{1, 1, 1};
-  const auto seventh = solvers::OracleGm{}(context(origin, options, x, 7, 3));
+  const solvers::TrialOracle<double> seventh = origin.of(7);
   origin.oracle.first_trial = 5;
-  CHECK(solvers::OracleGm{}(context(origin, options, x, 2, 3)) == seventh);
+  const solvers::TrialOracle<double> second_of_five = origin.of(2);
+  CHECK(solvers::OracleGm{}(context(second_of_five, options, x, 3)) ==
+        solvers::OracleGm{}(context(seventh, options, x, 3)));
 }
 
 TEST_CASE("eta is recorded at the first and last iteration and on average, where a truth is known") {
@@ -122,7 +129,7 @@ TEST_CASE("eta is recorded at the first and last iteration and on average, where
   options.k_fixed = 0.7;
   const auto eta_at = [&](const Point& x) {
     return solvers::similarity(solvers::Eta::Squared, {0.7, 0.7, 0.7},
-                               solvers::true_k(solvers::KTrue::Elem, x, origin.oracle, 0));
+                               solvers::true_k(solvers::KTrue::Elem, x, origin.of(0)));
   };
   const double first = eta_at({1, 2, 1.5});
   const double second = eta_at(estimate(solve("rr", p, [&] {

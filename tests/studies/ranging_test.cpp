@@ -1,3 +1,4 @@
+#include "solvers/dilution.hpp"
 #include "studies/ranging.hpp"
 
 #include <cmath>
@@ -9,7 +10,6 @@
 #include "sim/range_noise.hpp"
 #include "studies/plan.hpp"
 #include "studies/study_reader.hpp"
-#include "studies/yardsticks.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -17,11 +17,11 @@ using namespace ridgeloc::studies;
 namespace {
 
 /// The rows of the first block of a study's only cell, one per method and one for the scene.
-std::vector<results::Row> first_block(const Study& study) {
-  const Plan plan = make_plan(study);
+std::vector<results::Row> first_block(const Study& study, core::Isa isa = core::Isa::Baseline) {
+  const Plan plan = make_plan(study, isa);
   const TrialRange range = plan.range(0);
   results::BlockSink sink(plan.header, 0, 0, range.count);
-  const auto workspace = study.experiment->make_workspace();
+  const auto workspace = study.experiment->make_workspace(plan.isa);
   study.experiment->run_block(study.seed, plan.cells[0], study.methods, range, *workspace, sink);
   return sink.take_rows();
 }
@@ -39,17 +39,19 @@ TEST_CASE("the dilution of precision is that of the geometry") {
     }
   }
   std::vector<double> gdop(2);
-  dilution_of_precision(p, {0, 0, 0}, gdop);
+  solvers::dilution_of_precision(p, {0, 0, 0}, gdop);
   CHECK(gdop[0] == Approx(std::sqrt(3.0)));  // J'J = I
   CHECK(std::isinf(gdop[1]));
 }
 
 TEST_CASE("numbers of the experiment change only with its version") {
-  // Golden: the digests of one block, of each method and the scene. A deliberate change of the numbers raises
-  // Ranging::version and updates these; an accidental one is caught here.
+  // Golden: the digests of one block, of each method and the scene, on the baseline and on the instruction sets with a
+  // fused multiply-add, which agree. A deliberate change of the numbers raises Ranging::version and updates these; an
+  // accidental one is caught here.
   struct Golden {
     const char* study;
-    std::vector<std::uint64_t> digests;
+    std::vector<std::uint64_t> baseline;
+    std::vector<std::uint64_t> fused;
   };
   const Golden golden = GENERATE(
       Golden{R"(
@@ -68,8 +70,10 @@ solver = "rrr"
 k = "oracle_gm"
 similarity = 0.8
 )",
-             {0x253cf8662cd2a6d7, 0xc97e2e0f8a7e2b8a, 0x867f56a1c80643eb, 0xae773b7e34387803, 0x294f363540ac6413,
-              0xa5aee750bf5e4a72}},
+             {0xfc7aebbfef238d3b, 0xfb978d3b15c0e8d4, 0xd6e3ba06a73db306, 0x79780c120a34f00, 0x31539185e6ab1791,
+              0x9bffdfa1c7cae081},
+             {0x5322dd556da5b2c3, 0x28ff2dd587f78723, 0x4816728f45af3007, 0x96ff523231f34f85, 0xe35afbabfe4297f1,
+              0x5674d1691aff708c}},
       Golden{R"(
 experiment = "ranging"
 seed = 7
@@ -105,14 +109,19 @@ solver = "rrr"
 k = "fixed"
 k_fixed = 0.3
 )",
-             {0x7942920ea1f8ff0b, 0x4cf791eafe8f078a, 0xc7ef5073a2b3e275, 0x492ef1178e4a7ee7, 0xa894ee4830bfd6e0}});
+             {0xc8e7c015983d2123, 0xbe8aaaaaf7e515cb, 0x4d0d99c6ab41e707, 0x3ba0a2bf837d0373, 0x7749de8656a2ed05},
+             {0xc1e854abbaeacb74, 0xdf053421c81f7a1b, 0xb6f5f47aec4cced0, 0x78bf90dd996873d7, 0xb15e517a1fb1970d}});
   const Study study = read_study({"golden", "golden.toml", golden.study}, std::vector<std::string>{"trials=4096"});
-  REQUIRE(study.experiment->version() == 1);
-  const auto rows = first_block(study);
-  REQUIRE(rows.size() == golden.digests.size());
-  for (std::size_t method = 0; method < rows.size(); ++method) {
-    INFO("row " << method << " is 0x" << std::hex << rows[method].digests[0]);
-    CHECK(rows[method].digests[0] == golden.digests[method]);
+  REQUIRE(study.experiment->version() == 2);
+  for (const core::Isa isa : {core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512}) {
+    if (!core::is_supported(isa)) continue;
+    const auto rows = first_block(study, isa);
+    const auto& digests = isa == core::Isa::Baseline ? golden.baseline : golden.fused;
+    REQUIRE(rows.size() == digests.size());
+    for (std::size_t method = 0; method < rows.size(); ++method) {
+      INFO(core::name_of(isa) << " row " << method << " is 0x" << std::hex << rows[method].digests[0]);
+      CHECK(rows[method].digests[0] == digests[method]);
+    }
   }
 }
 

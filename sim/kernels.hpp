@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/isa.hpp"
+#include "sim/range_noise.hpp"
+
+namespace ridgeloc::sim {
+
+/// Scene and noise, compiled for one instruction set: the same functions as the templates of these names.
+struct Kernels {
+  decltype(&place_objects<double>) place_objects;
+  decltype(&measure_ranges<double>) measure_ranges;
+};
+
+/// Those of one instruction set, each defined in a source file that is compiled for it.
+template <core::Isa isa>
+Kernels kernels();
+
+/// Precondition: core::is_supported(isa).
+Kernels kernels(core::Isa isa);
+
+}  // namespace ridgeloc::sim

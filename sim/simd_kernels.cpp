@@ -1,0 +1,14 @@
+// Compiled once per instruction set.
+
+#include "core/pack.hpp"
+
+#include "sim/kernels.hpp"
+
+namespace ridgeloc::sim {
+
+template <>
+Kernels kernels<core::native_isa>() {
+  return {place_objects<core::NativeReal>, measure_ranges<core::NativeReal>};
+}
+
+}  // namespace ridgeloc::sim
