@@ -28,6 +28,32 @@ template <class Arch>
 #endif
 }
 
+/// a b + c and c - a b, fused where the instruction set can; the xsimd of Debian 12 does not fuse on AVX-512.
+template <class Arch>
+[[gnu::always_inline]] inline RealRegister<Arch> native_mul_add(const RealRegister<Arch>& a,
+                                                                const RealRegister<Arch>& b,
+                                                                const RealRegister<Arch>& c) {
+#if defined(__AVX512F__)
+  return _mm512_fmadd_pd(a, b, c);
+#elif defined(__AVX2__)
+  return _mm256_fmadd_pd(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+template <class Arch>
+[[gnu::always_inline]] inline RealRegister<Arch> native_neg_mul_add(const RealRegister<Arch>& a,
+                                                                    const RealRegister<Arch>& b,
+                                                                    const RealRegister<Arch>& c) {
+#if defined(__AVX512F__)
+  return _mm512_fnmadd_pd(a, b, c);
+#elif defined(__AVX2__)
+  return _mm256_fnmadd_pd(a, b, c);
+#else
+  return c - a * b;
+#endif
+}
+
 /// Product of the lower halves of every lane.
 template <class Arch>
 [[gnu::always_inline]] inline WordsRegister<Arch> native_multiply_low_words(const WordsRegister<Arch>& a,

@@ -161,13 +161,13 @@ template <class Arch, std::size_t Count>
 [[gnu::always_inline]] inline RealPack<Arch, Count> mul_add(const RealPack<Arch, Count>& a,
                                                             const RealPack<Arch, Count>& b,
                                                             const RealPack<Arch, Count>& c) {
-  return each([](auto x, auto y, auto z) { return xsimd::fma(x, y, z); }, a, b, c);
+  return each([](auto x, auto y, auto z) { return native_mul_add(x, y, z); }, a, b, c);
 }
 template <class Arch, std::size_t Count>
 [[gnu::always_inline]] inline RealPack<Arch, Count> neg_mul_add(const RealPack<Arch, Count>& a,
                                                                 const RealPack<Arch, Count>& b,
                                                                 const RealPack<Arch, Count>& c) {
-  return each([](auto x, auto y, auto z) { return xsimd::fnma(x, y, z); }, a, b, c);
+  return each([](auto x, auto y, auto z) { return native_neg_mul_add(x, y, z); }, a, b, c);
 }
 
 #if defined(__AVX512F__)
