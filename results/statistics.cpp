@@ -13,7 +13,7 @@ MetricStatistics statistics_of(std::span<const double> values, InstructionSet se
   const Extremes extremes = extremes_of(values, set);
   statistics.min = extremes.min;
   statistics.max = extremes.max;
-  statistics.histogram.add(values);
+  statistics.histogram.add(values, extremes, set);
   statistics.beyond = statistics.histogram.total() - statistics.moments.n;
   return statistics;
 }
