@@ -13,6 +13,14 @@ find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)
 pkg_check_modules(TOMLPLUSPLUS REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 
+# Most builds of xxHash for x86-64 carry versions for newer processors, behind a header of their own.
+include(CheckCXXSourceCompiles)
+set(CMAKE_REQUIRED_LIBRARIES PkgConfig::XXHASH)
+check_cxx_source_compiles(
+  "#include <xxhash.h>\n#include <xxh_x86dispatch.h>\nint main() { XXH3_64bits_update(nullptr, nullptr, 0); }"
+  RIDGELOC_XXHASH_DISPATCH)
+unset(CMAKE_REQUIRED_LIBRARIES)
+
 # Random123 is headers alone, without a CMake package.
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 add_library(ridgeloc_random123 INTERFACE)

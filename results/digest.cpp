@@ -2,6 +2,9 @@
 
 #include <openssl/evp.h>
 #include <xxhash.h>
+#ifdef RIDGELOC_XXHASH_DISPATCH
+#include <xxh_x86dispatch.h>  // redirects the calls below to the widest registers of the machine
+#endif
 
 #include <array>
 #include <new>

@@ -24,6 +24,61 @@ std::int64_t key_of(double value) {
   return std::bit_cast<std::int64_t>(value) >> (mantissa_bits - bin_bits);
 }
 
+/// One more slot than bins takes the NaN, which keeps the loops free of branches.
+constexpr std::uint16_t nan_slot = Histogram::bins;
+
+/// Values whose slots are chosen at a time.
+constexpr std::size_t piece = 1024;
+
+/// `Histogram::bin_of`, or `nan_slot`, of each value. The upper half of a double decides, and 32-bit numbers suffice
+/// for it, which compilers turn into vector code.
+template <std::size_t>
+struct ChooseSlots {
+  [[gnu::always_inline]] static void run(std::span<const double> values, std::uint16_t* slots) {
+    constexpr std::int32_t last_bin = Histogram::bins - 1;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto upper_half = static_cast<std::int32_t>(std::bit_cast<std::uint64_t>(values[i]) >> 32);
+      std::int32_t bin = (upper_half >> (mantissa_bits - bin_bits - 32)) - static_cast<std::int32_t>(lowest_key) + 1;
+      bin = bin < 0 ? 0 : bin;
+      bin = bin > last_bin ? last_bin : bin;
+      bin = values[i] == values[i] ? bin : nan_slot;
+      slots[i] = static_cast<std::uint16_t>(bin);
+    }
+  }
+};
+
+/// Counts per slot, in tables that take turns: runs of equal values (iteration counts) would otherwise wait for their
+/// own last increment. Only the bins in use are ever touched.
+class Tally {
+ public:
+  Tally(std::uint32_t first, std::uint32_t end) {
+    for (Table& table : tables_) {
+      std::fill(table.begin() + first, table.begin() + end, 0);
+      table[nan_slot] = 0;
+    }
+  }
+
+  void add(std::span<const std::uint16_t> slots) {
+    const std::size_t whole = slots.size() / tables_.size() * tables_.size();
+    for (std::size_t i = 0; i < whole; i += tables_.size()) {
+      for (std::size_t t = 0; t < tables_.size(); ++t) ++tables_[t][slots[i + t]];
+    }
+    for (std::size_t i = whole; i < slots.size(); ++i) ++tables_[0][slots[i]];
+  }
+
+  std::vector<std::uint64_t> counts(std::uint32_t first, std::uint32_t end) const {
+    std::vector<std::uint64_t> counts(end - first);
+    for (const Table& table : tables_) {
+      for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += table[first + i];
+    }
+    return counts;
+  }
+
+ private:
+  using Table = std::array<std::uint32_t, Histogram::bins + 1>;
+  std::array<Table, 4> tables_;
+};
+
 }  // namespace
 
 Histogram::Histogram(std::uint32_t first_bin, std::vector<std::uint64_t> counts)
@@ -44,33 +99,28 @@ double Histogram::lower_edge(std::uint32_t bin) {
   return std::bit_cast<double>((lowest_key + bin - 1) << (mantissa_bits - bin_bits));
 }
 
-void Histogram::add(std::span<const double> values) {
+void Histogram::add(std::span<const double> values, const Extremes& extremes, InstructionSet set) {
   constexpr std::size_t largest_count = std::numeric_limits<std::uint32_t>::max();
   if (values.size() > largest_count) {
     add(values.first(largest_count));
     return add(values.subspan(largest_count));
   }
-  // One more slot than bins takes the NaN, which keeps the loop free of branches. Two tables, for even and
-  // odd positions, keep runs of equal values (iteration counts) from waiting for their own last increment.
-  std::array<std::array<std::uint32_t, bins + 1>, 2> table{};
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double value = values[i];
-    ++table[i % 2][value == value ? bin_of(value) : bins];
+  if (!(extremes.min <= extremes.max)) return;  // nothing but NaN
+  const std::uint32_t first = bin_of(extremes.min);
+  const std::uint32_t end = bin_of(extremes.max) + 1;
+  Tally tally(first, end);
+  std::array<std::uint16_t, piece> slots;
+  for (std::size_t i = 0; i < values.size(); i += piece) {
+    const std::span<const double> part = values.subspan(i, std::min(piece, values.size() - i));
+    run_with<ChooseSlots>(set, part, slots.data());
+    tally.add(std::span(slots).first(part.size()));
   }
-  const auto count = [&](std::uint32_t bin) { return std::uint64_t{table[0][bin]} + table[1][bin]; };
-  std::uint32_t lowest = 0;
-  while (lowest < bins && count(lowest) == 0) ++lowest;
-  if (lowest == bins) return;
-  std::uint32_t highest = bins - 1;
-  while (count(highest) == 0) --highest;
-
-  std::vector<std::uint64_t> counts(highest - lowest + 1);
-  for (std::uint32_t i = 0; i < counts.size(); ++i) counts[i] = count(lowest + i);
+  std::vector<std::uint64_t> counts = tally.counts(first, end);
   if (counts_.empty()) {
-    first_bin_ = lowest;
+    first_bin_ = first;
     counts_ = std::move(counts);
   } else {
-    merge(Histogram(lowest, std::move(counts)));
+    merge(Histogram(first, std::move(counts)));
   }
 }
 

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "results/extremes.hpp"
+
 namespace ridgeloc::results {
 
 /// Histogram of non-negative values on a fixed logarithmic grid: octaves 2^-40 .. 2^20, each cut into 32 equal bins,
@@ -21,7 +23,9 @@ class Histogram {
   /// As read from a file: counts of the bins first_bin, first_bin + 1, ...
   Histogram(std::uint32_t first_bin, std::vector<std::uint64_t> counts);
 
-  void add(std::span<const double> values);
+  void add(std::span<const double> values) { add(values, extremes_of(values)); }
+  /// The same. Precondition: the extremes are those of the values.
+  void add(std::span<const double> values, const Extremes& extremes, InstructionSet set = best_instruction_set());
   void merge(const Histogram& other);
 
   static std::uint32_t bin_of(double value);

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <span>
 
+#include "results/instruction_set.hpp"
+
 namespace ridgeloc::results {
 
 /// Count, mean and central sums M_k = sum (v - mean)^k of a sample: everything that the standard errors of a mean, a
@@ -22,7 +24,7 @@ inline constexpr double largest_moment_value = 1e6;
 
 /// Moments of the values that are finite and at most `largest_moment_value` in size, in two passes with a fixed number
 /// of accumulators, so that the result is the same bits on every instruction set of equal precision.
-Moments moments_of(std::span<const double> values);
+Moments moments_of(std::span<const double> values, InstructionSet set = best_instruction_set());
 
 /// Moments of the union of two disjoint samples (Chan et al. 1979; Pebay 2008). Merge order changes the last bits:
 /// callers merge over the fixed binary tree of block numbers.

@@ -1,45 +1,19 @@
 #include "results/statistics.hpp"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
+#include "results/extremes.hpp"
+
 namespace ridgeloc::results {
-namespace {
 
-struct Extremes {
-  double min = std::numeric_limits<double>::infinity();
-  double max = -std::numeric_limits<double>::infinity();
-};
-
-/// Smallest and largest value; NaN compares false and is passed over.
-Extremes extremes_of(std::span<const double> values) {
-  constexpr std::size_t lanes = 8;
-  std::array<double, lanes> low;
-  std::array<double, lanes> high;
-  low.fill(Extremes{}.min);
-  high.fill(Extremes{}.max);
-  const auto visit = [&](double value, std::size_t lane) {
-    low[lane] = value < low[lane] ? value : low[lane];
-    high[lane] = value > high[lane] ? value : high[lane];
-  };
-  const std::size_t whole = values.size() / lanes * lanes;
-  for (std::size_t i = 0; i < whole; i += lanes) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) visit(values[i + lane], lane);
-  }
-  for (std::size_t i = whole; i < values.size(); ++i) visit(values[i], i - whole);
-  return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end())};
-}
-
-}  // namespace
-
-MetricStatistics statistics_of(std::span<const double> values) {
+MetricStatistics statistics_of(std::span<const double> values, InstructionSet set) {
   MetricStatistics statistics;
-  statistics.moments = moments_of(values);
-  const Extremes extremes = extremes_of(values);
+  statistics.moments = moments_of(values, set);
+  const Extremes extremes = extremes_of(values, set);
   statistics.min = extremes.min;
   statistics.max = extremes.max;
-  statistics.histogram.add(values);
+  statistics.histogram.add(values, extremes, set);
   statistics.beyond = statistics.histogram.total() - statistics.moments.n;
   return statistics;
 }

@@ -21,7 +21,7 @@ struct MetricStatistics {
   friend bool operator==(const MetricStatistics&, const MetricStatistics&) = default;
 };
 
-MetricStatistics statistics_of(std::span<const double> values);
+MetricStatistics statistics_of(std::span<const double> values, InstructionSet set = best_instruction_set());
 MetricStatistics merge(const MetricStatistics& a, const MetricStatistics& b);
 
 /// What one method produced over a set of trials of one cell.
