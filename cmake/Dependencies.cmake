@@ -17,3 +17,10 @@ pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 add_library(ridgeloc_random123 INTERFACE)
 target_include_directories(ridgeloc_random123 SYSTEM INTERFACE ${RANDOM123_INCLUDE_DIR})
+
+# What we compare ourselves with.
+if(RIDGELOC_BUILD_BENCHMARKS)
+  find_package(benchmark 1.7 REQUIRED CONFIG)
+  find_package(GSL 2.7 REQUIRED)
+  pkg_check_modules(CMINPACK REQUIRED IMPORTED_TARGET cminpack)
+endif()
