@@ -16,12 +16,12 @@ Accuracy accuracy(std::span<const Answer> answers) {
   for (const Answer& answer : answers) {
     const double error = distance(answer.estimate, sim::true_position_m);
     const double clipped = error < clip_m ? error : clip_m;  // clips an estimate that is not a number, too
-    sum.iterations += answer.iterations;
+    sum.steps += answer.steps;
     sum.rms_error_m += clipped * clipped;
     sum.converged += answer.converged ? 1.0 : 0.0;
   }
   const double trials = static_cast<double>(answers.size());
-  return {sum.iterations / trials, std::sqrt(sum.rms_error_m / trials), sum.converged / trials};
+  return {sum.steps / trials, std::sqrt(sum.rms_error_m / trials), sum.converged / trials};
 }
 
 }  // namespace ridgeloc::bench

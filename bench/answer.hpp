@@ -8,13 +8,13 @@ namespace ridgeloc::bench {
 /// What any solver, ours or a peer, says about one problem.
 struct Answer {
   std::array<double, 3> estimate;  ///< position (m)
-  double iterations;               ///< steps computed, rejected ones and the last one included
+  double steps;                    ///< computed, rejected ones and the last one included
   bool converged;                  ///< by the solver's own judgement, not by its iteration limit
 };
 
 /// What stands beside every time, because a solver that stops early looks fast.
 struct Accuracy {
-  double iterations;   ///< mean over all trials
+  double steps;        ///< mean over all trials
   double rms_error_m;  ///< root mean square distance from the truth over all trials, each clipped at `clip_m`
   double converged;    ///< share of trials
 };

@@ -3,7 +3,7 @@
 namespace ridgeloc::bench {
 
 /// Registers every row with Google Benchmark, named "solver/kernel or stop/points" and "generate/generator/points".
-/// One iteration of a row is one workload. Counters: `ns_per_trial` (CPU time), and for solvers `iterations`,
+/// One iteration of a row is one workload. Counters: `per_trial` (seconds of CPU time), and for solvers `steps`,
 /// `rms_error_m` and `converged` as in `Accuracy`.
 void register_rows();
 
