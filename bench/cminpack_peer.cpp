@@ -19,7 +19,7 @@ class CminpackPeer : public Peer {
         tolerance_(tolerance),
         residuals_(problems.points()),
         jacobian_(problems.points() * 3),
-        work_(5 * 3 + problems.points()) {}
+        work_(std::size_t{5} * 3 + problems.points()) {}
 
   Answer solve(std::size_t trial) override {
     std::array<double, 3> x = problems_.start(trial);

@@ -13,7 +13,7 @@ namespace {
 template <int points>
 struct Ranges {
   using Scalar = double;
-  enum { NUM_RESIDUALS = points, NUM_PARAMETERS = 3 };
+  enum { NUM_RESIDUALS = points, NUM_PARAMETERS = 3 };  // NOLINT(readability-identifier-naming): its names
 
   bool operator()(const double* x, double* residuals, double* jacobian) const {
     evaluate<Order::ColumnMajor>({observations, points}, x, residuals, jacobian);
