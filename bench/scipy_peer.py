@@ -60,7 +60,7 @@ def gauss_newton(start, points, measured):
 
 
 def levenberg_marquardt(start, points, measured):
-    """The same by scipy, one problem after the other. The last evaluation but one of its count is the start's."""
+    """The same by scipy, one problem after the other. One of the evaluations that it counts is at the start."""
     estimate = np.empty_like(start)
     steps = np.empty(start.shape[1])
     converged = np.empty(start.shape[1], dtype=bool)
