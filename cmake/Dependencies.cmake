@@ -30,3 +30,10 @@ target_include_directories(ridgeloc_random123 SYSTEM INTERFACE ${RANDOM123_INCLU
 find_path(XSIMD_INCLUDE_DIR xsimd/xsimd.hpp REQUIRED)
 add_library(ridgeloc_xsimd INTERFACE)
 target_include_directories(ridgeloc_xsimd SYSTEM INTERFACE ${XSIMD_INCLUDE_DIR})
+
+# What we compare ourselves with.
+if(RIDGELOC_BUILD_BENCHMARKS)
+  find_package(benchmark 1.7 REQUIRED CONFIG)
+  find_package(GSL 2.7 REQUIRED)
+  pkg_check_modules(CMINPACK REQUIRED IMPORTED_TARGET cminpack)
+endif()

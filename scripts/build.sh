@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# Usage: scripts/build.sh [--help]    (CMAKE_BUILD_PARALLEL_LEVEL=N: number of compilers at once)
-# Configures and builds the release preset into build/release, after scripts/setup.sh.
+# Usage: scripts/build.sh [--bench] [--help]    (CMAKE_BUILD_PARALLEL_LEVEL=N: number of compilers at once)
+# Configures and builds the release preset into build/release, after scripts/setup.sh; with --bench the preset bench.
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
+preset=release
 case "${1:-}" in
   "") ;;
+  --bench) preset=bench ;;
   -h | --help) sed -n '2,3s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
   *) echo "build: unknown argument '$1'; see scripts/build.sh --help" >&2; exit 2 ;;
 esac
@@ -26,7 +28,7 @@ by_memory=$(($(available_kib) / kib_per_job))
 if ((by_memory < jobs)); then jobs=$((by_memory > 0 ? by_memory : 1)); fi
 jobs="${CMAKE_BUILD_PARALLEL_LEVEL:-$jobs}"
 
-"$root/scripts/setup.sh"
+"$root/scripts/setup.sh" "$@"
 
 options=()
 # Newer compilers bring new warnings: they stop our own checks, not a newcomer's build.
@@ -36,7 +38,7 @@ if command -v ccache >/dev/null; then
 fi
 
 cd "$root"
-echo "build: configuring build/release" >&2
-cmake --preset release "${options[@]}"
+echo "build: configuring build/$preset" >&2
+cmake --preset "$preset" "${options[@]}"
 echo "build: compiling, $jobs at once" >&2
-cmake --build build/release --parallel "$jobs"
+cmake --build "build/$preset" --parallel "$jobs"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Usage: scripts/setup.sh [--help]    (RIDGELOC_SKIP_SETUP=1: trust that everything is there)
-# Installs what building, running and testing need and this system lacks: Debian 12 or later, Ubuntu 24.04.
+# Usage: scripts/setup.sh [--bench] [--help]    (RIDGELOC_SKIP_SETUP=1: trust that everything is there)
+# Installs what building, running and testing need and this system lacks: Debian 12 or later, Ubuntu 24.04. With --bench
+# also what the comparison with other solvers needs.
 set -euo pipefail
 
 packages=(
@@ -10,6 +11,7 @@ packages=(
   # Other readers of the result files; only the tests use them.
   python3-h5py python3-xarray python3-h5netcdf python3-netcdf4
 )
+bench_packages=(libbenchmark-dev libgsl-dev libcminpack-dev python3-scipy)
 
 say() { echo "setup: $*" >&2; }
 fail() { say "$*"; exit 1; }
@@ -37,7 +39,8 @@ apt=(apt-get -qq -o DPkg::Lock::Timeout=900 -o Dpkg::Use-Pty=0)
 
 case "${1:-}" in
   "") ;;
-  -h | --help) sed -n '2,3s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  --bench) packages+=("${bench_packages[@]}") ;;
+  -h | --help) sed -n '2,4s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
   *) fail "unknown argument '$1'; see scripts/setup.sh --help" ;;
 esac
 

@@ -16,6 +16,7 @@ declare -A allowed=(
   [results]="core results"
   [studies]="core sim solvers results studies"
   [app]="core results studies app"
+  [bench]="core sim solvers studies results bench"
 )
 for folder in "${!allowed[@]}"; do
   while IFS=: read -r file line include; do
@@ -33,8 +34,10 @@ declare -A libraries=(
   [results]="hdf5 openssl xxhash fmt"
   [studies]="toml++ tbb fmt"
   [app]="CLI fmt"
+  [bench]="benchmark ceres Eigen unsupported gsl cminpack"
 )
 known='Random123|Eigen|xsimd|ceres|hdf5|H5[A-Za-z]*|openssl|xxhash|fmt|toml\+\+|tbb|CLI|spdlog|catch2'
+known+='|benchmark|unsupported|gsl|cminpack'
 for folder in "${!libraries[@]}"; do
   while IFS=: read -r file line include; do
     library=${include#*<}
@@ -47,7 +50,7 @@ done
 internal="results/hdf5_handle.hpp studies/toml_document.hpp studies/sections.hpp"
 while IFS=: read -r file line include; do
   [[ " $internal " == *" $file "* ]] || complain "$file:$line: $include in a public header"
-done < <(grep -nHE '#include <(hdf5|H5|tbb/|toml|ceres|fmt|openssl|xxhash|CLI|spdlog)' ./*/*.hpp | sed 's|^\./||')
+done < <(grep -nHE '#include <(hdf5|H5|tbb/|toml|ceres|fmt|openssl|xxhash|CLI|spdlog|benchmark|gsl|cminpack)' ./*/*.hpp | sed 's|^\./||')
 for header in $internal; do
   while IFS=: read -r file line _; do
     [[ ${file%%/*} == "${header%%/*}" ]] || complain "$file:$line: includes $header, which is internal"
