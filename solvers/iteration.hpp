@@ -86,10 +86,12 @@ template <class Method, class Model, class State, class Real = typename Model::R
   }
   state.x = core::select<Real>(moved, next, state.x);
   state.iterations = select(moved, state.iterations + Real(1.0), state.iterations);
-  state.status = select(active & step.singular, code(core::Status::Singular), state.status);
-  state.status = select(active & !step.singular & !finite, code(core::Status::NonFinite), state.status);
-  state.status = select(left, code(core::Status::LeftDomain), state.status);
   state.status = select(converged, code(core::Status::Converged), state.status);
+  if (const Mask failed = (active & !moved) | left; core::any(failed)) {  // rare
+    state.status = select(active & step.singular, code(core::Status::Singular), state.status);
+    state.status = select(active & !step.singular & !finite, code(core::Status::NonFinite), state.status);
+    state.status = select(left, code(core::Status::LeftDomain), state.status);
+  }
   const Real limit(static_cast<double>(options.max_iterations) - 0.5);
   return moved & !left & !converged & (state.iterations < limit);
 }

@@ -18,21 +18,23 @@ void solve(const core::ProblemBatch& problems, const SolverOptions& options, con
   using Method = std::tuple_element_t<I, Methods>;
   const Method method{options};
   out.reshape(problems.trials());
-  const auto solve_points = [&]<std::size_t Points>() {
+  const auto solve_with = [&]<std::size_t Points, bool Scored>() {
+    using Model = RangeModel<Real, Points, Scored>;
     if constexpr (core::lanes<Real> == 1) {
-      solve_one_by_one<Points>(method, problems, oracle, out);
+      solve_one_by_one<Model>(method, problems, oracle, out);
     } else {
-      solve_batch<Real, Points>(method, problems, oracle, out);
+      solve_batch<Model>(method, problems, oracle, out);
     }
   };
+  if (problems.has_scores()) return solve_with.template operator()<any_points, true>();
   switch (problems.points()) {
-    case 3: return solve_points.template operator()<3>();
-    case 4: return solve_points.template operator()<4>();
-    case 5: return solve_points.template operator()<5>();
-    case 6: return solve_points.template operator()<6>();
-    case 7: return solve_points.template operator()<7>();
-    case 8: return solve_points.template operator()<8>();
-    default: return solve_points.template operator()<any_points>();
+    case 3: return solve_with.template operator()<3, false>();
+    case 4: return solve_with.template operator()<4, false>();
+    case 5: return solve_with.template operator()<5, false>();
+    case 6: return solve_with.template operator()<6, false>();
+    case 7: return solve_with.template operator()<7, false>();
+    case 8: return solve_with.template operator()<8, false>();
+    default: return solve_with.template operator()<any_points, false>();
   }
 }
 

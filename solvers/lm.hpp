@@ -44,8 +44,8 @@ struct LazyLevenbergMarquardt {
     return {core::select<Real>(rejected, {zero, zero, zero}, solution.x), solution.singular, !rejected, {}};
   }
 
-  template <class Real>
-  Real weight(const Real& score, const Real&, std::size_t) const {
+  template <class Score, class Real>
+  Score weight(const Score& score, const Real&, std::size_t) const {
     return score_weight(score);
   }
 };

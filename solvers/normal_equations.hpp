@@ -11,7 +11,8 @@ struct NormalEquations {
   core::Symmetric3<Real> matrix;
   core::Vector3<Real> gradient{Real(0.0), Real(0.0), Real(0.0)};
 
-  void add(const RangeObservation<Real>& o, const Real& weight) {
+  template <class Weight>
+  void add(const RangeObservation<Real>& o, const Weight& weight) {
     using core::mul_add;
     const Real wx = weight * o.direction[0];
     const Real wy = weight * o.direction[1];

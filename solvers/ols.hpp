@@ -26,8 +26,8 @@ struct Ols {
     return {solution.x, solution.singular, !solution.singular, {}};
   }
 
-  template <class Real>
-  Real weight(const Real& score, const Real&, std::size_t) const {
+  template <class Score, class Real>
+  Score weight(const Score& score, const Real&, std::size_t) const {
     return score_weight(score);
   }
 };

@@ -12,6 +12,15 @@ namespace ridgeloc::solvers {
 /// A number of points that is known only when the program runs.
 inline constexpr std::size_t any_points = 0;
 
+/// The score of every observation of a problem without scores. Multiplying by it costs nothing.
+struct UnitScore {
+  friend constexpr UnitScore operator*(UnitScore, UnitScore) { return {}; }
+  template <class Real>
+  friend const Real& operator*(UnitScore, const Real& x) {
+    return x;
+  }
+};
+
 /// One range observation, linearised at a position.
 template <class Real>
 struct RangeObservation {
@@ -21,8 +30,8 @@ struct RangeObservation {
 
 /// The range model of one trial per lane, unknown x = (x, y, z): e_j(x) = |p_j - x| - m_j.
 /// At a point itself the direction, and with it every step, is not a number. `Points` fixes the number of points when
-/// the program is compiled, so that loops over them unroll.
-template <class RealType, std::size_t Points = any_points>
+/// the program is compiled, so that loops over them unroll; `Scored` says whether the observations have scores.
+template <class RealType, std::size_t Points = any_points, bool Scored = false>
 class RangeModel {
  public:
   using Real = RealType;
@@ -31,8 +40,7 @@ class RangeModel {
   RangeModel(const core::ProblemBatch& problems, std::size_t slot)
       : first_(problems.data() + slot),
         stride_(problems.stride()),
-        points_(problems.points()),
-        has_scores_(problems.has_scores()) {}
+        points_(problems.points()) {}
 
   std::size_t points() const {
     if constexpr (Points == any_points) return points_;
@@ -44,8 +52,12 @@ class RangeModel {
     return {value(column), value(column + 1), value(column + 2)};
   }
 
-  Real score(std::size_t j) const {
-    return has_scores_ ? value(core::ProblemBatch::score_column(points(), j)) : Real(1.0);
+  auto score(std::size_t j) const {
+    if constexpr (Scored) {
+      return value(core::ProblemBatch::score_column(points(), j));
+    } else {
+      return UnitScore{};
+    }
   }
 
   RangeObservation<Real> observe(std::size_t j, const core::Vector3<Real>& x) const {
@@ -85,7 +97,6 @@ class RangeModel {
   const double* first_;
   std::size_t stride_;
   std::size_t points_;
-  bool has_scores_;
 };
 
 }  // namespace ridgeloc::solvers

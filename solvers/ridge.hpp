@@ -22,10 +22,13 @@ struct Ridge {
 
   const SolverOptions& options;
 
-  template <class Real>
-  Real weight(const Real& score, const Real& residual, std::size_t points) const {
-    if constexpr (robust) return robust_weight(score, residual, points, options.theta_m);
-    return score_weight(score);
+  template <class Score, class Real>
+  auto weight(const Score& score, const Real& residual, std::size_t points) const {
+    if constexpr (robust) {
+      return robust_weight(score, residual, points, options.theta_m);
+    } else {
+      return score_weight(score);
+    }
   }
 
   template <class Model, class Real = typename Model::Real>
@@ -45,7 +48,7 @@ struct Ridge {
     NormalEquations<Real> weighted;
     for (std::size_t j = 0; j < model.points(); ++j) {
       const RangeObservation<Real> o = model.observe(j, x);
-      const Real score = model.score(j);
+      const auto score = model.score(j);
       if constexpr (robust) weighted.add(o, weight(score, o.residual, model.points()));
       if constexpr (!robust || KEstimator::needs_ols_step) least_squares.add(o, score_weight(score));
     }

@@ -127,10 +127,9 @@ class LaneQueue {
 
 /// Several trials at a time. What a trial comes to does not depend on its lane, its neighbours or the order in which
 /// lanes are refilled: every operation is its lane's alone.
-template <class Real, std::size_t Points, class Method>
+template <class Model, class Method, class Real = typename Model::Real>
 void solve_batch(const Method& method, const core::ProblemBatch& problems, const core::Oracle* oracle,
                  core::SolutionBatch& out) {
-  using Model = RangeModel<Real, Points>;
   detail::LaneQueue<Real, Model, Method> queue(method, problems, oracle);
   const Real limit(static_cast<double>(method.options.max_iterations) - 0.5);
   const Real end(static_cast<double>(problems.trials()));
@@ -153,10 +152,9 @@ void solve_batch(const Method& method, const core::ProblemBatch& problems, const
 }
 
 /// One trial at a time: the plain form of the same, for reference.
-template <std::size_t Points, class Method>
+template <class Model, class Method>
 void solve_one_by_one(const Method& method, const core::ProblemBatch& problems, const core::Oracle* oracle,
                       core::SolutionBatch& out) {
-  using Model = RangeModel<double, Points>;
   for (std::size_t trial = 0; trial < problems.trials(); ++trial) {
     const Model model(problems, trial);
     TrialOracle<double> known;
