@@ -1,8 +1,10 @@
 #include "bench/ours.hpp"
 
+#include <cstdlib>
+
 #include "bench/stop.hpp"
-#include "sim/field_of_view.hpp"
-#include "sim/range_noise.hpp"
+#include "core/isa.hpp"
+#include "sim/kernels.hpp"
 #include "solvers/solver.hpp"
 
 namespace ridgeloc::bench {
@@ -16,14 +18,42 @@ constexpr std::uint64_t seed = 2018;
 constexpr double minimum_tolerance_m = 1e-10;
 constexpr int minimum_max_iterations = 10'000;
 
-constexpr char ols[] = "ols";
-constexpr char lm[] = "lm";
-constexpr char rr[] = "rr";
-constexpr char rrr[] = "rrr";
+template <core::Isa isa>
+void generate_on(std::uint64_t first_trial, core::ProblemBatch& problems) {
+  static const sim::FieldOfView view = [] {
+    sim::FieldOfView defaults;
+    defaults.start_offset_m = start_offset_m();
+    return defaults;
+  }();
+  static const sim::SceneStreams streams(seed, view);
+  static const auto& noise = sim::noise_registry()[0];
+  static const core::Stream noise_stream(seed, "noise", noise.name);
+  static const sim::Kernels scene = sim::kernels(isa);
+  scene.place_objects(view, streams, first_trial, problems);
+  scene.measure_ranges(noise, range_sigma_m, noise_stream, first_trial, problems);
+}
 
-template <const char* name>
-void solve_matched(const core::ProblemBatch& problems, core::SolutionBatch& out) {
-  static const auto* solver = solvers::find_solver(name);
+}  // namespace
+
+double start_offset_m() {
+  const char* given = std::getenv("RIDGELOC_BENCH_START_M");
+  return given == nullptr ? sim::FieldOfView{}.start_offset_m : std::stod(given);
+}
+
+std::vector<OwnSolver> own_solvers() {
+  std::vector<OwnSolver> all;
+  for (const auto& entry : solvers::solver_registry()) {
+    all.push_back({std::string(entry.name) + "/double", entry.solve});
+    for (std::size_t i = 0; i < core::isa_count; ++i) {
+      const auto isa = static_cast<core::Isa>(i);
+      if (!core::is_supported(isa)) continue;
+      all.push_back({std::string(entry.name) + "/" + std::string(core::name_of(isa)), entry.kernel(isa)});
+    }
+  }
+  return all;
+}
+
+const solvers::SolverOptions& matched_options() {
   static const auto options = [] {
     solvers::SolverOptions matched;
     matched.step_tolerance_m = step_tolerance_m;
@@ -31,18 +61,18 @@ void solve_matched(const core::ProblemBatch& problems, core::SolutionBatch& out)
     matched.k = *solvers::find_k_estimator("kibria_gm");
     return matched;
   }();
-  solver->solve(problems, options, nullptr, out);
+  return options;
 }
 
-}  // namespace
-
-std::vector<OwnEntry> own_solvers() {
-  return {
-      {"ols/double", solve_matched<ols>},
-      {"lm/double", solve_matched<lm>},
-      {"rr/double", solve_matched<rr>},
-      {"rrr/double", solve_matched<rrr>},
+std::vector<OwnGenerator> own_generators() {
+  std::vector<OwnGenerator> all;
+  const auto add = [&all](core::Isa isa, Generator generate) {
+    if (core::is_supported(isa)) all.push_back({std::string(core::name_of(isa)), generate});
   };
+  add(core::Isa::Baseline, generate_on<core::Isa::Baseline>);
+  add(core::Isa::Avx2, generate_on<core::Isa::Avx2>);
+  add(core::Isa::Avx512, generate_on<core::Isa::Avx512>);
+  return all;
 }
 
 std::vector<Answer> answers_of(const core::SolutionBatch& solutions) {
@@ -63,15 +93,6 @@ std::vector<Answer> least_squares_minima(const core::ProblemBatch& problems) {
   core::SolutionBatch solutions;
   solvers::find_solver("ols")->solve(problems, options, nullptr, solutions);
   return answers_of(solutions);
-}
-
-void generate(std::uint64_t first_trial, core::ProblemBatch& problems) {
-  static const sim::FieldOfView view;
-  static const sim::SceneStreams streams(seed, view);
-  static const auto& noise = sim::noise_registry()[0];
-  static const core::Stream noise_stream(seed, "noise", noise.name);
-  sim::place_objects(view, streams, first_trial, problems);
-  sim::measure_ranges(noise, range_sigma_m, noise_stream, first_trial, problems);
 }
 
 }  // namespace ridgeloc::bench

@@ -27,10 +27,10 @@ void count_accuracy(benchmark::State& state, std::span<const Answer> answers) {
   state.counters["converged"] = found.converged;
 }
 
-void solve_own(benchmark::State& state, const OwnEntry& entry, std::size_t points) {
+void solve_own(benchmark::State& state, const OwnSolver& entry, std::size_t points) {
   const core::ProblemBatch& problems = workload(points).batch;
   core::SolutionBatch solutions;
-  for ([[maybe_unused]] auto pass : state) entry.solve(problems, solutions);
+  for ([[maybe_unused]] auto pass : state) entry.solve(problems, matched_options(), nullptr, solutions);
   count_time(state);
   count_accuracy(state, answers_of(solutions));
 }
@@ -57,8 +57,8 @@ void draw(benchmark::State& state, std::size_t points, Next next) {
   count_time(state);
 }
 
-void draw_own(benchmark::State& state, std::size_t points) {
-  draw(state, points, [first = std::uint64_t{0}](core::ProblemBatch& problems) mutable {
+void draw_own(benchmark::State& state, std::size_t points, Generator generate) {
+  draw(state, points, [generate, first = std::uint64_t{0}](core::ProblemBatch& problems) mutable {
     generate(first, problems);
     first += problems.trials();
   });
@@ -79,13 +79,15 @@ void add(const std::string& name, std::size_t points, Row row) {
 
 void register_rows() {
   for (const std::size_t points : point_counts) {
-    for (const OwnEntry& entry : own_solvers()) {
+    for (const OwnSolver& entry : own_solvers()) {
       add(entry.name, points, [=](benchmark::State& state) { solve_own(state, entry, points); });
     }
     for (const PeerEntry& entry : peers()) {
       add(std::string(entry.name), points, [=](benchmark::State& state) { solve_peer(state, entry, points); });
     }
-    add("generate/double", points, [=](benchmark::State& state) { draw_own(state, points); });
+    for (const OwnGenerator& entry : own_generators()) {
+      add("generate/" + entry.name, points, [=](benchmark::State& state) { draw_own(state, points, entry.generate); });
+    }
     add("generate/mt19937_64", points, [=](benchmark::State& state) { draw_std(state, points); });
   }
 }

@@ -11,7 +11,7 @@ namespace {
 Workload make_workload(std::size_t points) {
   core::ProblemBatch batch;
   batch.reshape(points, workload_trials);
-  generate(0, batch);
+  own_generators().front().generate(0, batch);
   ProblemSet problems(batch);
   return {std::move(batch), std::move(problems)};
 }
