@@ -53,5 +53,6 @@ function(ridgeloc_simd_kernels target source)
     # GCC 12 takes the deliberately undefined operands of its own AVX-512 intrinsics for mistakes (GCC bug 105593).
     target_compile_options(${objects} PRIVATE -O3 ${flags_${isa}} -Wno-uninitialized -Wno-maybe-uninitialized)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
+    set_property(GLOBAL APPEND PROPERTY RIDGELOC_SIMD_OBJECTS $<TARGET_OBJECTS:${objects}>)
   endforeach()
 endfunction()
