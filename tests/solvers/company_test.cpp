@@ -19,15 +19,16 @@ using namespace ridgeloc;
 namespace {
 
 constexpr double sigma_m = 0.3;
+constexpr std::size_t trials = RIDGELOC_COMPANY_TRIALS;
 
 struct Batch {
   core::ProblemBatch problems;
   std::vector<double> zeros;
   core::Oracle oracle;
 
-  Batch(std::size_t points, std::size_t trials) : zeros(trials, 0.0) {
+  Batch(std::size_t points, std::size_t size) : zeros(size, 0.0) {
     const sim::FieldOfView view;
-    problems.reshape(points, trials);
+    problems.reshape(points, size);
     sim::place_objects(view, sim::SceneStreams(2018, view), 0, problems);
     sim::measure_ranges(sim::noise_registry()[0], sigma_m, core::Stream(2018, "noise", "normal"), 0, problems);
     for (auto& axis : oracle.truth) axis = zeros;
@@ -99,7 +100,6 @@ TEST_CASE("the baseline kernels give the bits of the double path") {
 
 TEST_CASE("what a trial comes to does not depend on its lane, its neighbours or the refilling of lanes") {
   const std::size_t points = GENERATE(std::size_t{3}, std::size_t{5});
-  constexpr std::size_t trials = 600;
   const Batch batch(points, trials);
   std::mt19937 shuffle(7);
   for (const core::Isa isa : supported()) {
@@ -132,20 +132,41 @@ TEST_CASE("what a trial comes to does not depend on its lane, its neighbours or 
   }
 }
 
-TEST_CASE("a trial alone comes to what it comes to in a batch of any size") {
-  constexpr std::size_t trials = 70;
+TEST_CASE("a trial comes to the same in every lane") {
+  constexpr std::size_t most_lanes = 16;
   const Batch batch(5, trials);
   for (const core::Isa isa : supported()) {
     for_each_method([&](const solvers::SolverEntry& entry, const solvers::SolverOptions& options) {
       INFO(entry.name << " k " << options.k << " on " << core::name_of(isa));
       core::SolutionBatch together;
       entry.kernel(isa)(batch.problems, options, &batch.oracle, together);
+      for (std::size_t shift = 1; shift < most_lanes; ++shift) {
+        Batch shifted(5, trials + shift);
+        shifted.oracle.first_trial -= shift;
+        for (std::size_t t = 0; t < trials; ++t) shifted.problems.copy_trial(batch.problems, t, t + shift);
+        core::SolutionBatch apart;
+        entry.kernel(isa)(shifted.problems, options, &shifted.oracle, apart);
+        std::size_t different = 0;
+        for (std::size_t t = 0; t < trials; ++t) different += same_trial(apart, t + shift, together, t) ? 0 : 1;
+        CHECK(different == 0);
+      }
+    });
+  }
+}
+
+TEST_CASE("a trial alone comes to what it comes to in a batch") {
+  const Batch batch(5, trials);
+  for (const core::Isa isa : supported()) {
+    for_each_method([&](const solvers::SolverEntry& entry, const solvers::SolverOptions& options) {
+      INFO(entry.name << " k " << options.k << " on " << core::name_of(isa));
+      core::SolutionBatch together;
+      entry.kernel(isa)(batch.problems, options, &batch.oracle, together);
+      Batch one(5, 1);
+      core::SolutionBatch alone;
       std::size_t different = 0;
       for (std::size_t t = 0; t < trials; ++t) {
-        Batch one(5, 1);
         one.problems.copy_trial(batch.problems, t, 0);
-        one.oracle.first_trial += t;
-        core::SolutionBatch alone;
+        one.oracle.first_trial = batch.oracle.first_trial + t;
         entry.kernel(isa)(one.problems, options, &one.oracle, alone);
         different += same_trial(alone, 0, together, t) ? 0 : 1;
       }
@@ -155,12 +176,12 @@ TEST_CASE("a trial alone comes to what it comes to in a batch of any size") {
 }
 
 TEST_CASE("kernels write no trial beyond the batch") {
-  for (const std::size_t trials : {1, 7, 8, 9, 15, 16, 17, 33}) {
+  for (const std::size_t size : {1, 7, 8, 9, 15, 16, 17, 33}) {
     for (const core::Isa isa : supported()) {
-      const Batch batch(4, trials);
+      const Batch batch(4, size);
       core::SolutionBatch out;
       solvers::find_solver("rrr")->kernel(isa)(batch.problems, {}, &batch.oracle, out);
-      CHECK(out.trials() == trials);
+      CHECK(out.trials() == size);
       CHECK(std::ranges::count(out.status, static_cast<std::uint8_t>(core::Status::NotRun)) == 0);
     }
   }
