@@ -54,6 +54,20 @@ template <class Arch>
 #endif
 }
 
+/// a where a > b, b elsewhere, NaN included.
+template <class Arch>
+[[gnu::always_inline]] inline RealRegister<Arch> native_max(const RealRegister<Arch>& a, const RealRegister<Arch>& b) {
+#if defined(__AVX512F__)
+  return _mm512_max_pd(a, b);
+#elif defined(__AVX2__)
+  return _mm256_max_pd(a, b);
+#elif defined(__SSE2__)
+  return _mm_max_pd(a, b);
+#else
+  return xsimd::select(a > b, a, b);
+#endif
+}
+
 /// Product of the lower halves of every lane.
 template <class Arch>
 [[gnu::always_inline]] inline WordsRegister<Arch> native_multiply_low_words(const WordsRegister<Arch>& a,

@@ -219,7 +219,7 @@ template <class Arch, std::size_t Count>
 template <class Arch, std::size_t Count>
 [[gnu::always_inline]] inline RealPack<Arch, Count> max(const RealPack<Arch, Count>& a,
                                                         const RealPack<Arch, Count>& b) {
-  return select(a < b, b, a);
+  return each([](auto x, auto y) { return native_max(y, x); }, a, b);
 }
 template <class Arch, std::size_t Count>
 [[gnu::always_inline]] inline MaskPack<Arch, Count> is_finite(const RealPack<Arch, Count>& a) {
