@@ -41,7 +41,8 @@ struct OwnGenerator {
 /// On every instruction set of this processor.
 std::vector<OwnGenerator> own_generators();
 
-/// How far from the truth every solver starts (m): RIDGELOC_BENCH_START_M of the environment, or the default of `ranging`.
+/// How far from the truth every solver starts (m): RIDGELOC_BENCH_START_M of the environment, or the default of
+/// `ranging`.
 double start_offset_m();
 
 /// Standard deviation of the range errors that `generate` draws (m): the default of `ranging`.

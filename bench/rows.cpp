@@ -5,6 +5,7 @@
 #include <string>
 
 #include "bench/answer.hpp"
+#include "bench/block.hpp"
 #include "bench/ours.hpp"
 #include "bench/peer.hpp"
 #include "bench/std_generator.hpp"
@@ -13,6 +14,9 @@
 namespace ridgeloc::bench {
 
 namespace {
+
+/// The number of points of bench/sweep.toml.
+constexpr std::size_t block_points = 5;
 
 void count_time(benchmark::State& state) {
   state.counters["per_trial"] =
@@ -69,6 +73,14 @@ void draw_std(benchmark::State& state, std::size_t points) {
        [generator = StdGenerator()](core::ProblemBatch& problems) mutable { generator.generate(problems); });
 }
 
+void run_blocks(benchmark::State& state, core::Isa isa) {
+  BlockRun run(isa);
+  std::uint64_t block = 0;
+  for ([[maybe_unused]] auto pass : state) run.run(block++);
+  state.counters["per_trial"] = benchmark::Counter(
+      static_cast<double>(run.trials()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 template <class Row>
 void add(const std::string& name, std::size_t points, Row row) {
   // No MinTime here: it would become part of the name.
@@ -87,6 +99,12 @@ void register_rows() {
     }
     for (const OwnGenerator& entry : own_generators()) {
       add("generate/" + entry.name, points, [=](benchmark::State& state) { draw_own(state, points, entry.generate); });
+    }
+    if (points == block_points) {
+      for (const OwnGenerator& entry : own_generators()) {
+        add("block/" + entry.name, points,
+            [isa = *core::find_isa(entry.name)](benchmark::State& state) { run_blocks(state, isa); });
+      }
     }
     add("generate/mt19937_64", points, [=](benchmark::State& state) { draw_std(state, points); });
   }

@@ -85,9 +85,9 @@ def print_solvers(points, rows):
 
 
 def print_generators(points, rows):
-    lines = [[name.partition("/")[2], nanoseconds(row.median()), f"{row.spread():.1%}", ratio(rows, STD, row)]
+    lines = [[name, nanoseconds(row.median()), f"{row.spread():.1%}", ratio(rows, STD, row)]
              for name, row in sorted(rows.items(), key=lambda item: item[1].order)]
-    print_table(f"Generating, n = {points}", ["generator", "ns per trial", "spread", "x mt19937_64"], lines)
+    print_table(f"Drawing, and whole blocks, n = {points}", ["row", "ns per trial", "spread", "x mt19937_64"], lines)
 
 
 def main(paths):

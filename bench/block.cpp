@@ -1,0 +1,32 @@
+#include "bench/block.hpp"
+
+#include <string>
+#include <vector>
+
+#include "results/block.hpp"
+#include "studies/study_reader.hpp"
+
+namespace ridgeloc::bench {
+
+namespace {
+
+studies::Study sweep_study() {
+  // Its trials must cover every block that a benchmark may ask for.
+  return studies::read_study(studies::find_study(RIDGELOC_SWEEP_STUDY),
+                             std::vector<std::string>{"trials=1000000000000"});
+}
+
+}  // namespace
+
+BlockRun::BlockRun(core::Isa isa)
+    : study_(sweep_study()),
+      plan_(studies::make_plan(study_, isa)),
+      workspace_(study_.experiment->make_workspace(isa)) {}
+
+void BlockRun::run(std::uint64_t block) {
+  const studies::TrialRange range = plan_.range(block);
+  results::BlockSink sink(plan_.header, 0, block, range.count);
+  study_.experiment->run_block(study_.seed, plan_.cells[0], study_.methods, range, *workspace_, sink);
+}
+
+}  // namespace ridgeloc::bench
