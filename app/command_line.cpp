@@ -69,7 +69,9 @@ void add_study_options(CLI::App& verb, StudyOptions& options) {
   verb.add_option("--threads", options.threads, "threads to use")
       ->default_val(std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, max_threads))
       ->check(CLI::Range(1, max_threads));
-  verb.add_option("--isa", options.isa, "instruction set to compute with instead of the widest that this processor has")
+  verb.add_option("--isa", options.isa,
+                  "instruction set to compute with; without it the one that a stopped run has begun with, else the "
+                  "widest that this processor has")
       ->check(CLI::IsMember(std::vector<std::string>(core::isa_names.begin(), core::isa_names.end())));
 }
 

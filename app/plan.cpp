@@ -32,8 +32,8 @@ void print_plan(const studies::Study& study, core::Isa isa, int threads) {
   fmt::print("  trials   {:.0f} ({} per cell)\n", trials, study.trials);
   fmt::print("  blocks   {} ({} per cell of {} trials)\n", plan.blocks_per_cell * plan.cells.size(),
              plan.blocks_per_cell, plan.header.block_trials);
-  fmt::print("  pilot    {:.3g} us per trial and thread, all methods, with {} ({} trials)\n", pilot.seconds_per_trial * 1e6,
-             plan.header.isa, pilot.trials);
+  fmt::print("  pilot    {:.3g} us per trial and thread, all methods, with {} ({} trials)\n",
+             pilot.seconds_per_trial * 1e6, plan.header.isa, pilot.trials);
   fmt::print("  time     about {} on {} thread{}\n", duration_text(pilot.seconds_per_trial * trials / threads), threads,
              threads == 1 ? "" : "s");
   fmt::print("  disk     at most {:.1f} MiB of per-trial columns ({:.0f} trials kept) besides the summaries\n",

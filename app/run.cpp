@@ -45,8 +45,14 @@ fs::path output_path(const RunOptions& options, const std::string& study_name) {
 
 /// What to compute a result with: what the user asked for, or what a stopped run of it has begun with.
 core::Isa isa_of(const RunOptions& options, const fs::path& output) {
-  const std::string begun = results::isa_of_unfinished(output).value_or("");
-  return instruction_set(options.study.isa.empty() ? begun : options.study.isa);
+  const auto begun = results::isa_of_unfinished(output);
+  if (!options.study.isa.empty() || !begun) return instruction_set(options.study.isa);
+  const auto isa = core::find_isa(*begun);
+  if (isa && core::is_supported(*isa)) return *isa;
+  throw core::InputError(
+      fmt::format("{}.parts was begun with the instruction set {}, which this processor lacks; go on where it began, "
+                  "delete the folder, or choose another -o",
+                  output.string(), *begun));
 }
 
 /// Whether the result is there already. A result of another study is never overwritten.
@@ -120,8 +126,8 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
                blocks);
   }
   fmt::print(stderr, "{}: {} cells, {} trials each, {} methods on {} thread{} with {}: {}\n", job.study.name,
-             job.plan.cells.size(), job.study.trials, job.study.methods.size(), threads, threads == 1 ? "" : "s", job.plan.header.isa,
-             duration_text(seconds));
+             job.plan.cells.size(), job.study.trials, job.study.methods.size(), threads, threads == 1 ? "" : "s",
+             job.plan.header.isa, duration_text(seconds));
   fmt::print("{}\n", job.output.string());
   finish_standard_output();
   return true;

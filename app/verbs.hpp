@@ -24,7 +24,7 @@ struct StudyOptions {
   std::vector<std::string> studies;    ///< paths or catalog names
   std::vector<std::string> overrides;  ///< KEY=VALUE, --trials and --seed among them
   int threads = 0;                     ///< 0: all processors
-  std::string isa;                     ///< empty: the widest instruction set of this processor
+  std::string isa;                     ///< empty: what a stopped run has begun with, else the widest there is
 };
 
 int plan(const StudyOptions& options);

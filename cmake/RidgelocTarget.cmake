@@ -32,12 +32,17 @@ endfunction()
 # instantiates kernels over the packs of core/pack.hpp and nothing else: what it shared with ordinary code would run
 # instructions that the processor may not have. Optimized in every build type, so that all of it is inlined.
 function(ridgeloc_simd_kernels target source)
-  set(flags_baseline "")
-  set(flags_avx2 -mavx2 -mfma -mbmi2)
+  # The architecture first, so that flags which a user gives for the whole build do not change what a baseline is.
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    set(flags_baseline -march=x86-64)
+  endif()
+  set(flags_avx2 ${flags_baseline} -mavx2 -mfma -mbmi2)
   set(flags_avx512 ${flags_avx2} -mavx512f -mavx512cd -mavx512bw -mavx512dq -mavx512vl)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Left to itself GCC copies packs in pieces of 16 bytes, and a load that spans two pieces waits for both stores.
     list(APPEND flags_avx2 -mmove-max=256 -mstore-max=256)
+    # GCC 12 takes the deliberately undefined operands of its own AVX-512 intrinsics for mistakes (GCC bug 105593).
+    list(APPEND flags_avx512 -Wno-uninitialized -Wno-maybe-uninitialized)
     list(APPEND flags_avx512 -mmove-max=512 -mstore-max=512 -mprefer-vector-width=512 -fschedule-insns -fsched-pressure)
   endif()
   set(isas baseline)
@@ -50,8 +55,7 @@ function(ridgeloc_simd_kernels target source)
     target_include_directories(${objects} PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
     ridgeloc_configure(${objects})
     target_link_libraries(${objects} PRIVATE ridgeloc::core)
-    # GCC 12 takes the deliberately undefined operands of its own AVX-512 intrinsics for mistakes (GCC bug 105593).
-    target_compile_options(${objects} PRIVATE -O3 ${flags_${isa}} -Wno-uninitialized -Wno-maybe-uninitialized)
+    target_compile_options(${objects} PRIVATE -O3 ${flags_${isa}})
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
     set_property(GLOBAL APPEND PROPERTY RIDGELOC_SIMD_OBJECTS $<TARGET_OBJECTS:${objects}>)
   endforeach()

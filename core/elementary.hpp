@@ -56,8 +56,8 @@ struct SinCos {
 /// Sine and cosine of an angle in turns (1 turn = 2 pi), |turns| < 2^40.
 ///
 /// The quadrant is split off exactly, since a quarter turn is a binary fraction; what remains is x, |x| <= pi/4, with
-/// sin x = x + x^3 S(x^2) and cos x = 1 - x^2/2 + x^4 C(x^2). S and C are Chebyshev fits of degree 5; they add less than
-/// 2e-17.
+/// sin x = x + x^3 S(x^2) and cos x = 1 - x^2/2 + x^4 C(x^2). S and C are Chebyshev fits of degree 5; they add less
+/// than 2e-17.
 template <class Real>
 SinCos<Real> sin_cos_turns(Real turns) {
   constexpr double two_pi = 6.283185307179586;
@@ -86,13 +86,14 @@ SinCos<Real> sin_cos_turns(Real turns) {
 /// x^(-1/3) of a positive normal number.
 ///
 /// The first guess takes a third of the exponent, by way of the upper half of the bits, and is within 3.5 %. With
-/// r = 1 - x y^3, each of two steps y <- y (1 + r/3 + 2 r^2/9 + 14 r^3/81), the first terms of (1 - r)^(-1/3), raises the
-/// relative error to its fourth power: 2e-5, then rounding.
+/// r = 1 - x y^3, each of two steps y <- y (1 + r/3 + 2 r^2/9 + 14 r^3/81), the first terms of (1 - r)^(-1/3), raises
+/// the relative error to its fourth power: 2e-5, then rounding.
 template <class Real>
 Real inverse_cube_root(Real x) {
   constexpr std::uint64_t upper_half = 0xffffffff00000000U;
-  constexpr std::uint64_t third = 0x55555556U;                  // of 2^32
-  constexpr std::uint64_t guess_of_zero = 0x553ef0ff00000000U;  // 4/3 of the exponent bias, tuned for the fraction's error
+  constexpr std::uint64_t third = 0x55555556U;  // of 2^32
+  constexpr std::uint64_t guess_of_zero =
+      0x553ef0ff00000000U;  // 4/3 of the exponent bias, tuned for the fraction's error
   const Words<Real> third_of_bits = multiply_low_words(bits_of(x) >> 32, Words<Real>(third)) & Words<Real>(upper_half);
   Real y = from_bits(Words<Real>(guess_of_zero) - third_of_bits);
   for (int step = 0; step < 2; ++step) {

@@ -7,8 +7,11 @@ namespace ridgeloc::core {
 bool is_supported(Isa isa) {
 #if defined(__x86_64__)
   switch (isa) {
-    case Isa::Baseline: return true;
-    case Isa::Avx2: return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+    case Isa::Baseline:
+      return true;
+    case Isa::Avx2:
+      return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
+             __builtin_cpu_supports("bmi2") != 0;
     case Isa::Avx512:
       return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512cd") != 0 &&
              __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&

@@ -41,9 +41,9 @@ Symmetric3<Real> add_diagonal(Symmetric3<Real> a, const Vector3<Real>& d) {
   return a;
 }
 
-/// The adjugate of A and det A, which together are its inverse. `singular` where |det A| <= 3 eps |A|^3, with |A|^3 read as
-/// the product of the row norms: Hadamard's bound on |det A|. Scaling a row scales both sides, so that a ridge of 10^16 in
-/// one component, which makes a matrix no harder to solve, does not make it singular.
+/// The adjugate of A and det A, which together are its inverse. `singular` where |det A| <= 3 eps |A|^3, with |A|^3
+/// read as the product of the row norms: Hadamard's bound on |det A|. Scaling a row scales both sides, so that a ridge
+/// of 10^16 in one component, which makes a matrix no harder to solve, does not make it singular.
 template <class Real>
 struct Adjugate {
   Symmetric3<Real> matrix;
@@ -53,10 +53,9 @@ struct Adjugate {
 
 template <class Real>
 Adjugate<Real> adjugate(const Symmetric3<Real>& a) {
-  const Symmetric3<Real> c = {
-      neg_mul_add(a.yz, a.yz, a.yy * a.zz), neg_mul_add(a.xy, a.zz, a.xz * a.yz),
-      neg_mul_add(a.xz, a.yy, a.xy * a.yz), neg_mul_add(a.xz, a.xz, a.xx * a.zz),
-      neg_mul_add(a.xx, a.yz, a.xy * a.xz), neg_mul_add(a.xy, a.xy, a.xx * a.yy)};
+  const Symmetric3<Real> c = {neg_mul_add(a.yz, a.yz, a.yy * a.zz), neg_mul_add(a.xy, a.zz, a.xz * a.yz),
+                              neg_mul_add(a.xz, a.yy, a.xy * a.yz), neg_mul_add(a.xz, a.xz, a.xx * a.zz),
+                              neg_mul_add(a.xx, a.yz, a.xy * a.xz), neg_mul_add(a.xy, a.xy, a.xx * a.yy)};
   const Real determinant = dot<Real>({a.xx, a.xy, a.xz}, {c.xx, c.xy, c.xz});
 
   const Real xy_squared = a.xy * a.xy;

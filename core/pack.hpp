@@ -21,11 +21,11 @@ namespace ridgeloc::core {
 
 /// The instruction set that this source file is compiled for.
 #if defined(__AVX512F__)
-inline constexpr Isa native_isa = Isa::Avx512;
+static constexpr Isa native_isa = Isa::Avx512;
 #elif defined(__AVX2__)
-inline constexpr Isa native_isa = Isa::Avx2;
+static constexpr Isa native_isa = Isa::Avx2;
 #else
-inline constexpr Isa native_isa = Isa::Baseline;
+static constexpr Isa native_isa = Isa::Baseline;
 #endif
 
 /// Several registers. A step of an iteration is one long chain of dependent operations: with two registers for each
@@ -37,7 +37,7 @@ struct Pack {
   Pack() = default;
   [[gnu::always_inline]] explicit Pack(const std::array<Batch, Count>& registers) : r(registers) {}
   template <class Scalar>
-    requires std::is_arithmetic_v<Scalar>
+  requires std::is_arithmetic_v<Scalar>
   [[gnu::always_inline]] explicit Pack(Scalar x) : Pack(x, std::make_index_sequence<Count>{}) {}
 
  private:
@@ -46,8 +46,8 @@ struct Pack {
       : r{((void)I, Batch(static_cast<typename Batch::value_type>(x)))...} {}
 };
 
-/// Calls f with 0, 1, ..., Count - 1 as constants and makes a pack of the results. Never a loop: the compiler would keep
-/// what a loop indexes in memory.
+/// Calls f with 0, 1, ..., Count - 1 as constants and makes a pack of the results. Never a loop: the compiler would
+/// keep what a loop indexes in memory.
 template <std::size_t Count, class F>
 [[gnu::always_inline]] inline auto make_pack(F f) {
   return [&]<std::size_t... I>(std::index_sequence<I...>) {
@@ -60,7 +60,7 @@ template <std::size_t Count, class F>
 /// Applies f to the registers of packs, one after the other.
 template <class F, class Batch, std::size_t Count, class... Batches>
 [[gnu::always_inline]] inline auto each(F f, const Pack<Batch, Count>& first, const Pack<Batches, Count>&... rest) {
-  return make_pack<Count>([&](auto i) [[gnu::always_inline]] { return f(first.r[i], rest.r[i]...); });
+  return make_pack<Count>([&](auto i) { return f(first.r[i], rest.r[i]...); });
 }
 
 template <class Batch, std::size_t Count>

@@ -11,8 +11,8 @@ namespace ridgeloc::core {
 template <class Words>
 using RandomBlock = std::array<Words, 4>;
 
-/// Philox4x32-10 (Salmon et al., SC 2011), the low word of the key first; word for word the numbers of Random123. Of the
-/// counter only the lower halves count.
+/// Philox4x32-10 (Salmon et al., SC 2011), the low word of the key first; word for word the numbers of Random123. Of
+/// the counter only the lower halves count.
 template <class Words = std::uint64_t>
 RandomBlock<Words> philox(RandomBlock<Words> c, std::uint64_t key) {
   constexpr std::uint64_t multiplier_0 = 0xD2511F53U;

@@ -13,7 +13,7 @@ namespace ridgeloc::core {
 /// Unknowns of the range model: the position x, y, z in metres.
 inline constexpr std::size_t position_parameters = 3;
 
-/// What a solver may see: a batch of problems with the same number of points, one lane per trial.
+/// What a solver may see: a batch of problems with the same number of points, one slot per trial.
 ///
 /// The range model. Camera position x (m, unknown), points p_j (m, known), measured ranges
 /// m_j = |p_j - x| + noise (m), detection scores s_j in [0, 1].
@@ -22,6 +22,7 @@ inline constexpr std::size_t position_parameters = 3;
 /// `reshape` allocates only when the batch grows. Not synchronized: one batch per thread.
 class ProblemBatch {
  public:
+  /// Most trials that a kernel may take at once.
   static constexpr std::size_t largest_lanes = 32;
 
   /// Makes room for `trials` problems of `points` points each; contents are unspecified afterwards, scores absent.
@@ -59,7 +60,7 @@ class ProblemBatch {
   static std::size_t start_column(std::size_t points, std::size_t axis) { return points * 4 + axis; }
   static std::size_t score_column(std::size_t points, std::size_t point) { return points * 4 + 3 + point; }
 
-  /// Copies one problem of a batch of the same shape into a slot of this one.
+  /// Copies one problem of a batch with as many points, and scores if this one has them, into a slot of this one.
   void copy_trial(const ProblemBatch& from, std::size_t trial, std::size_t slot);
 
  private:
@@ -79,7 +80,7 @@ struct Oracle {
   std::array<std::span<const double>, position_parameters> truth;  ///< true position (m), by trial
   double range_sigma_m = 0.0;                                      ///< true standard deviation of the noise
   Stream k_error;                                                  ///< directions of the error of a perturbed K
-  std::uint64_t first_trial = 0;                                   ///< number of the trial in lane 0
+  std::uint64_t first_trial = 0;                                   ///< number of the trial in slot 0
 };
 
 }  // namespace ridgeloc::core

@@ -9,9 +9,9 @@
 #include <span>
 
 /// The vocabulary in which kernels are written: a `Real` is either `double` (one trial) or a SIMD pack of them (one
-/// trial per lane), a `Mask` answers a question for every lane, and `Words` holds 64 bits per lane. Kernels never branch
-/// on a value that differs between lanes: they select. This header defines the vocabulary for `double`, core/pack.hpp
-/// for packs; comparisons, arithmetic and bit operations are the operators.
+/// trial per lane), a `Mask` answers a question for every lane, and `Words` holds 64 bits per lane. Kernels never
+/// branch on a value that differs between lanes: they select. This header defines the vocabulary for `double`,
+/// core/pack.hpp for packs; comparisons, arithmetic and bit operations are the operators.
 namespace ridgeloc::core {
 
 /// What belongs to a number type.
@@ -54,11 +54,11 @@ inline double neg_mul_add(double a, double b, double c) {
   return c - a * b;
 }
 
-/// Correctly rounded square root.
+/// Correctly rounded square root; in packs for 2^-1000 < x < 2^1000, for 0, infinity, negative numbers and NaN.
 inline double sqrt(double x) {
   return std::sqrt(x);
 }
-/// Correctly rounded 1 / x.
+/// Correctly rounded 1 / x, in packs within the same bounds of |x|; see core/refine.hpp for the one exception.
 inline double reciprocal(double x) {
   return 1.0 / x;
 }
@@ -68,7 +68,7 @@ struct RootAndInverse {
   Real root;
   Real inverse;
 };
-/// sqrt(x) and the reciprocal of that, each correctly rounded.
+/// sqrt(x) and the reciprocal of that, each rounded as above.
 inline RootAndInverse<double> root_and_inverse(double x) {
   const double root = std::sqrt(x);
   return {root, 1.0 / root};
@@ -144,7 +144,8 @@ Real load_column(std::span<const double> column, std::size_t first) {
   return load<Real>(values);
 }
 
-/// Writes them back; lanes beyond the end of the column are dropped. Whole numbers may go to a column of small integers.
+/// Writes them back; lanes beyond the end of the column are dropped. Whole numbers may go to a column of small
+/// integers.
 template <class Real>
 void store_column(std::span<double> column, std::size_t first, const Real& value) {
   if (first + lanes<Real> <= column.size()) return store(column.data() + first, value);

@@ -3,10 +3,10 @@
 #include "core/real.hpp"
 
 /// From a rough seed to the correctly rounded value, by fused multiply-adds alone: faster than the divider and the
-/// square root unit of processors with 512-bit registers. Seeds differ between makers of processors. What is made of them
-/// here does not, as long as they are within 2^-12 of the value (relative): every error of the seed is squared away before
-/// the last step, which rounds once. Only x whose fraction is all ones can come out one unit in the last place off
-/// (Markstein 1990), whatever the seed.
+/// square root unit of processors with 512-bit registers. Seeds differ between makers of processors. What is made of
+/// them here does not, as long as they are within 2^-14 of the value (relative): every error of the seed is squared
+/// away before the last step, which rounds once. Only a reciprocal of a number whose fraction is all ones comes out one
+/// unit in the last place low (Markstein 1990), whatever the seed.
 namespace ridgeloc::core {
 
 /// 1 / x for 2^-1000 < |x| < 2^1000. Newton's method, y <- y + y (1 - x y).

@@ -6,8 +6,8 @@
 
 namespace ridgeloc::core {
 
-/// Calls f with a default-constructed element of a list of types, chosen by its index: how a choice that is equal for all
-/// trials, made while the program runs, reaches code that is compiled for every choice.
+/// Calls f with a default-constructed element of a list of types, chosen by its index: how a choice that is equal for
+/// all trials, made while the program runs, reaches code that is compiled for every choice.
 template <class List, class F>
 void with_entry(std::size_t index, F&& f) {
   [&]<std::size_t... I>(std::index_sequence<I...>) {

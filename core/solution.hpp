@@ -28,9 +28,6 @@ struct SolutionBatch {
 
   void reshape(std::size_t trials);
 
-  /// Copies what one trial of another batch came to into a slot of this one.
-  void copy_trial(const SolutionBatch& from, std::size_t trial, std::size_t slot);
-
   std::size_t trials() const { return status.size(); }
 };
 

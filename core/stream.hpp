@@ -29,10 +29,8 @@ class Stream {
     return philox<std::uint64_t>({trial, trial >> 32, draw, draw >> 32}, key_);
   }
   template <class Words>
-    requires(!std::is_integral_v<Words>)
-  RandomBlock<Words> block(const Words& trial, const Words& draw) const {
-    return philox<Words>({trial, trial >> 32, draw, draw >> 32}, key_);
-  }
+  requires(!std::is_integral_v<Words>) RandomBlock<Words> block(const Words& trial, const Words& draw)
+  const { return philox<Words>({trial, trial >> 32, draw, draw >> 32}, key_); }
 
  private:
   std::uint64_t key_ = 0;

@@ -72,7 +72,7 @@ core::SinCos<Real> direction(const std::array<double, 2>& interval_deg, const Re
 /// Writes points and start of trials first_trial, first_trial + 1, ... into `problems`, which is shaped.
 template <class Real = double>
 [[gnu::flatten]] void place_objects(const FieldOfView& view, const SceneStreams& streams, std::uint64_t first_trial,
-                   core::ProblemBatch& problems) {
+                                    core::ProblemBatch& problems) {
   using Words = core::Words<Real>;
   for (std::size_t slot = 0; slot < problems.trials(); slot += core::lanes<Real>) {
     const Words trial = core::trial_words<Real>(first_trial + slot);

@@ -15,6 +15,13 @@ struct Kernels {
 template <core::Isa isa>
 Kernels kernels();
 
+template <>
+Kernels kernels<core::Isa::Baseline>();
+template <>
+Kernels kernels<core::Isa::Avx2>();
+template <>
+Kernels kernels<core::Isa::Avx512>();
+
 /// Precondition: core::is_supported(isa).
 Kernels kernels(core::Isa isa);
 

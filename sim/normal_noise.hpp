@@ -14,7 +14,8 @@ struct NormalNoise {
   static constexpr std::string_view summary = "independent normal errors";
 
   template <class Real>
-  [[gnu::flatten]] static void draw(const core::Stream& noise, std::uint64_t first_trial, core::ProblemBatch& problems) {
+  [[gnu::flatten]] static void draw(const core::Stream& noise, std::uint64_t first_trial,
+                                    core::ProblemBatch& problems) {
     using Words = core::Words<Real>;
     for (std::size_t slot = 0; slot < problems.trials(); slot += core::lanes<Real>) {
       const Words trial = core::trial_words<Real>(first_trial + slot);

@@ -30,8 +30,8 @@ std::span<const NoiseEntry> noise_registry();
 
 /// Measures every range from the true position: m_j = |p_j - truth| + sigma_m * error_j.
 template <class Real = double>
-[[gnu::flatten]] void measure_ranges(const NoiseEntry& noise, double sigma_m, const core::Stream& stream, std::uint64_t first_trial,
-                    core::ProblemBatch& problems) {
+[[gnu::flatten]] void measure_ranges(const NoiseEntry& noise, double sigma_m, const core::Stream& stream,
+                                     std::uint64_t first_trial, core::ProblemBatch& problems) {
   core::with_entry<NoiseModels>(noise.index,
                                 [&](auto model) { model.template draw<Real>(stream, first_trial, problems); });
   for (std::size_t j = 0; j < problems.points(); ++j) {

@@ -12,8 +12,9 @@
 
 namespace ridgeloc::solvers {
 
-/// Geometric dilution of precision of every problem at one position, the true one: sqrt(tr (J'J)^-1), infinite where J'J
-/// is singular. The Cramer-Rao bound of the position is range sigma times this, sqrt(tr F^-1) with F = J'J / sigma^2.
+/// Geometric dilution of precision of every problem at one position, the true one: sqrt(tr (J'J)^-1), infinite where
+/// J'J is singular. The Cramer-Rao bound of the position is range sigma times this, sqrt(tr F^-1) with F = J'J /
+/// sigma^2.
 template <class Real = double>
 [[gnu::flatten]] void dilution_of_precision(const core::ProblemBatch& problems, const std::array<double, 3>& truth,
                                             std::span<double> gdop) {
@@ -23,7 +24,8 @@ template <class Real = double>
     NormalEquations<Real> unweighted;
     for (std::size_t j = 0; j < model.points(); ++j) unweighted.add(model.observe(j, x), Real(1.0));
     const core::Adjugate<Real> inverse = core::adjugate(unweighted.matrix);
-    const Real trace = (inverse.matrix.xx + inverse.matrix.yy + inverse.matrix.zz) * core::reciprocal(inverse.determinant);
+    const Real trace =
+        (inverse.matrix.xx + inverse.matrix.yy + inverse.matrix.zz) * core::reciprocal(inverse.determinant);
     // Near singularity rounding can turn the trace of a positive definite inverse negative.
     const core::Mask<Real> regular = (!inverse.singular) & (trace > Real(0.0));
     const Real infinite(std::numeric_limits<double>::infinity());

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <span>
 
 #include "core/matrix3.hpp"
 #include "core/problem.hpp"
@@ -31,9 +34,11 @@ struct IterationState {
     return zeros;
   }();
 
-  static constexpr std::size_t values = 8 + MemorySize;
+  /// What `for_each_value` counts through, and where.
+  enum Value : std::size_t { X, Iterations = 3, StatusCode, EtaFirst, EtaLast, EtaSum, FirstMemory };
+  static constexpr std::size_t values = FirstMemory + MemorySize;
 
-  /// Calls f with every value, always in the same order.
+  /// Calls f with every value, in the order of `Value`.
   template <class F>
   void for_each_value(F f) {
     for (Real& coordinate : x) f(coordinate);
@@ -58,8 +63,8 @@ TrialOracle<Real> oracle_of(const core::Oracle& oracle, std::size_t slot, const 
 
 /// Takes one step in every active lane and returns which lanes go on.
 template <class Method, class Model, class State, class Real = typename Model::Real>
-[[gnu::flatten]] core::Mask<Real> advance(const Method& method, const Model& model, const TrialOracle<Real>* oracle, State& state,
-                         const core::Mask<Real>& active) {
+[[gnu::flatten]] core::Mask<Real> advance(const Method& method, const Model& model, const TrialOracle<Real>* oracle,
+                                          State& state, const core::Mask<Real>& active) {
   using core::select;
   using Mask = core::Mask<Real>;
   const SolverOptions& options = method.options;
@@ -98,7 +103,8 @@ template <class Method, class Model, class State, class Real = typename Model::R
 
 /// Residuals and the remaining step at the estimates of a finished batch, from slot `slot` on.
 template <class Method, class Model, class Real = typename Model::Real>
-[[gnu::flatten]] void evaluate_estimate(const Method& method, const Model& model, std::size_t slot, core::SolutionBatch& out) {
+[[gnu::flatten]] void evaluate_estimate(const Method& method, const Model& model, std::size_t slot,
+                                        core::SolutionBatch& out) {
   const core::Vector3<Real> x = {core::load_column<Real>(out.estimate[0], slot),
                                  core::load_column<Real>(out.estimate[1], slot),
                                  core::load_column<Real>(out.estimate[2], slot)};
@@ -119,7 +125,8 @@ template <class Method, class Model, class Real = typename Model::Real>
 
 /// Writes where the trials in the slots slot, slot + 1, ... stand.
 template <class Real, std::size_t MemorySize>
-[[gnu::flatten]] void store_state(const IterationState<Real, MemorySize>& state, std::size_t slot, core::SolutionBatch& out) {
+[[gnu::flatten]] void store_state(const IterationState<Real, MemorySize>& state, std::size_t slot,
+                                  core::SolutionBatch& out) {
   for (std::size_t i = 0; i < 3; ++i) core::store_column<Real>(out.estimate[i], slot, state.x[i]);
   core::store_column<Real>(std::span<std::uint8_t>(out.status), slot, state.status);
   core::store_column<Real>(out.iterations, slot, state.iterations);

@@ -12,10 +12,10 @@ inline constexpr double k_length_floor_m = 1e-9;
 /// What a simulation knows about the trials in the lanes: core::Oracle by lane.
 template <class Real>
 struct TrialOracle {
-  core::Vector3<Real> truth;   ///< true position (m)
-  Real range_variance;         ///< of the noise (m^2)
-  core::Stream k_error;        ///< directions of the error of a perturbed K
-  core::Words<Real> trial;     ///< number of the trial in the study
+  core::Vector3<Real> truth;  ///< true position (m)
+  Real range_variance;        ///< of the noise (m^2)
+  core::Stream k_error;       ///< directions of the error of a perturbed K
+  core::Words<Real> trial;    ///< number of the trial in the study
 };
 
 /// What an estimator of the ridge parameter may use at one iteration.

@@ -11,7 +11,8 @@
 
 namespace ridgeloc::solvers {
 
-/// Method I of `Methods` over a number type. The usual numbers of points have kernels of their own, the others share one.
+/// Method I of `Methods` over a number type. The usual numbers of points have kernels of their own, the others share
+/// one.
 template <class Real, std::size_t I>
 void solve(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
            core::SolutionBatch& out) {
@@ -28,13 +29,20 @@ void solve(const core::ProblemBatch& problems, const SolverOptions& options, con
   };
   if (problems.has_scores()) return solve_with.template operator()<any_points, true>();
   switch (problems.points()) {
-    case 3: return solve_with.template operator()<3, false>();
-    case 4: return solve_with.template operator()<4, false>();
-    case 5: return solve_with.template operator()<5, false>();
-    case 6: return solve_with.template operator()<6, false>();
-    case 7: return solve_with.template operator()<7, false>();
-    case 8: return solve_with.template operator()<8, false>();
-    default: return solve_with.template operator()<any_points, false>();
+    case 3:
+      return solve_with.template operator()<3, false>();
+    case 4:
+      return solve_with.template operator()<4, false>();
+    case 5:
+      return solve_with.template operator()<5, false>();
+    case 6:
+      return solve_with.template operator()<6, false>();
+    case 7:
+      return solve_with.template operator()<7, false>();
+    case 8:
+      return solve_with.template operator()<8, false>();
+    default:
+      return solve_with.template operator()<any_points, false>();
   }
 }
 
@@ -59,5 +67,11 @@ Kernels kernels_over() {
 /// Those over the packs of an instruction set, each defined in a source file that is compiled for it.
 template <core::Isa isa>
 Kernels kernels();
+template <>
+Kernels kernels<core::Isa::Baseline>();
+template <>
+Kernels kernels<core::Isa::Avx2>();
+template <>
+Kernels kernels<core::Isa::Avx512>();
 
 }  // namespace ridgeloc::solvers

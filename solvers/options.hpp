@@ -36,7 +36,7 @@ struct SolverOptions {
   int max_iterations = 30;         ///< steps, the last one included; more is "max_iterations"
   double step_tolerance_m = 0.05;  ///< stop when |dx| < this
   double theta_m = 0.05;           ///< rrr: w_i = s_i / max(theta, |e_i|)
-  std::size_t k = 0;               ///< rr, rrr: index into `k_estimator_names()`
+  std::size_t k = 0;               ///< rr, rrr: index into `k_estimator_registry()`
   double k_fixed = 0.0;            ///< the constant of the estimator "fixed"
   double similarity = 1.0;         ///< oracle estimators: eta of the K used against K'; 1 is K' itself
   KError k_error = KError::Signed;

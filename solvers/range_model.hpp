@@ -35,12 +35,11 @@ template <class RealType, std::size_t Points = any_points, bool Scored = false>
 class RangeModel {
  public:
   using Real = RealType;
+  static_assert(core::lanes<Real> <= core::ProblemBatch::largest_lanes);
 
   /// The trials in the slots slot, slot + 1, ... of a batch. Lanes beyond its end hold unspecified numbers.
   RangeModel(const core::ProblemBatch& problems, std::size_t slot)
-      : first_(problems.data() + slot),
-        stride_(problems.stride()),
-        points_(problems.points()) {}
+      : first_(problems.data() + slot), stride_(problems.stride()), points_(problems.points()) {}
 
   std::size_t points() const {
     if constexpr (Points == any_points) return points_;

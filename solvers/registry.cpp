@@ -13,10 +13,10 @@ namespace {
 /// In the order of core::Isa.
 const std::array<Kernels, core::isa_count>& kernels_by_isa() {
   static const std::array<Kernels, core::isa_count> kernels_of_program = {
-      kernels<core::Isa::Baseline>(),
+    kernels<core::Isa::Baseline>(),
 #if defined(__x86_64__)
-      kernels<core::Isa::Avx2>(),
-      kernels<core::Isa::Avx512>(),
+    kernels<core::Isa::Avx2>(),
+    kernels<core::Isa::Avx512>(),
 #endif
   };
   return kernels_of_program;

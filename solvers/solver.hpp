@@ -13,9 +13,9 @@
 
 namespace ridgeloc::solvers {
 
-/// Solves every problem of a batch. The only contract a solver has: no allocation beyond growing `out`, no logging, no
-/// exception; a numerical failure is a status. `oracle` is null outside simulations. Thread safe: a solver has no
-/// state.
+/// Solves every problem of a batch. The only contract a solver has: no allocation beyond growing `out` and a queue that
+/// each thread keeps (about 80 bytes for each trial of the largest batch), no logging, no exception; a numerical
+/// failure is a status. `oracle` is null outside simulations. Thread safe.
 using Solver = void (*)(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
                         core::SolutionBatch& out);
 
@@ -23,9 +23,9 @@ using Solver = void (*)(const core::ProblemBatch& problems, const SolverOptions&
 struct SolverEntry {
   std::string_view name;
   std::string_view summary;
-  std::span<const std::string_view> options;   ///< names of the settings that it reads besides the common ones
-  Solver solve;                                ///< in double, one trial at a time: the reference
-  std::array<Solver, core::isa_count> kernels; ///< several trials at a time; null where the program holds none
+  std::span<const std::string_view> options;    ///< names of the settings that it reads besides the common ones
+  Solver solve;                                 ///< in double, one trial at a time: the reference
+  std::array<Solver, core::isa_count> kernels;  ///< several trials at a time; null where the program holds none
 
   Solver kernel(core::Isa isa) const { return kernels[static_cast<std::size_t>(isa)]; }
 };

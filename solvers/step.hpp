@@ -7,8 +7,9 @@
 #include "solvers/k_context.hpp"
 #include "solvers/options.hpp"
 
-/// Iterative methods over `Real`. A `Method` is made from the solver options and has its `name` and `summary`, the names
-/// of the options that it reads, `has_k`, the number `memory_size` of values that it carries from step to step, and
+/// Iterative methods over `Real`. A `Method` is made from the solver options and has its `name` and `summary`, the
+/// names of the options that it reads, `has_k`, the number `memory_size` of values that it carries from step to step,
+/// and
 ///   Step<Real> step(model, x, iteration, oracle, memory) const;
 ///   Real weight(score, residual, points) const;   // its weights at the estimate, for the remaining step
 namespace ridgeloc::solvers {

@@ -82,7 +82,8 @@ class Experiment {
   virtual std::unique_ptr<Workspace> make_workspace(core::Isa isa) const = 0;
 
   /// Simulates and solves a range of trials of one cell and hands every column to `sink`. A pure function of (seed,
-  /// cell, methods, range, instruction set): no clock, no thread, no state between calls. Thread safe for distinct workspaces.
+  /// cell, methods, range, instruction set): no clock, no thread, no state between calls. Thread safe for distinct
+  /// workspaces.
   virtual void run_block(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, TrialRange range,
                          Workspace& workspace, results::BlockSink& sink) const = 0;
 };

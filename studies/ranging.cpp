@@ -106,9 +106,7 @@ methods = ["ols", "rr", "rrr"]
 
   std::vector<std::string> extra_labels() const override { return {std::string(scene_label)}; }
 
-  std::unique_ptr<Workspace> make_workspace(core::Isa isa) const override {
-    return std::make_unique<Scratch>(isa);
-  }
+  std::unique_ptr<Workspace> make_workspace(core::Isa isa) const override { return std::make_unique<Scratch>(isa); }
 
   void run_block(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, TrialRange range,
                  Workspace& workspace, results::BlockSink& sink) const override {

@@ -39,7 +39,8 @@ RunOutcome run_study(const Study& study, const Plan& plan, const std::filesystem
   std::atomic<std::uint64_t> computed{0};
 
   const auto begin = std::chrono::steady_clock::now();
-  tbb::enumerable_thread_specific<std::unique_ptr<Workspace>> workspaces([&] { return experiment.make_workspace(plan.isa); });
+  tbb::enumerable_thread_specific<std::unique_ptr<Workspace>> workspaces(
+      [&] { return experiment.make_workspace(plan.isa); });
   const auto run_task = [&](std::uint64_t task) {
     const Cell& cell = plan.cells[task / tasks_per_cell];
     const std::uint64_t first = task % tasks_per_cell * blocks_per_task;

@@ -147,6 +147,25 @@ TEST_CASE("a run stopped by a signal says how to go on, and goes on to the same 
   CHECK_FALSE(folder.has("small.h5.parts"));
 }
 
+TEST_CASE("a run goes on with the instruction set that it began with, and refuses another one") {
+  const WorkingFolder folder;
+  folder.write("small.toml", small);
+  const Outcome stopped = folder.shell("'" RIDGELOC_PROGRAM
+                                       "' run small.toml --trials 4000000 --threads 1 --isa baseline & "
+                                       "pid=$!; while ! ls small.h5.parts 2>/dev/null; do :; done; sleep 0.3; "
+                                       "kill -TERM $pid; wait $pid");
+  REQUIRE(stopped.exit_code == 4);
+  REQUIRE(folder.has("small.h5.parts"));
+  CHECK(folder.ridgeloc("run small.toml --trials 4000000 --isa sse9").exit_code == 2);
+  CHECK(folder.ridgeloc("run small.toml --trials 4000000").exit_code == 0);
+  CHECK(results::read_result_header(folder.path() / "small.h5").isa == "baseline");
+  CHECK(folder.ridgeloc("run small.toml --trials 4000000").exit_code == 0);  // complete already
+  const Outcome other = folder.ridgeloc("run small.toml --trials 4000000 --isa avx2");
+  CHECK(other.exit_code == 2);
+  CHECK(other.error.find("small.h5") != std::string::npos);
+  CHECK(lines(other.error) == 1);
+}
+
 TEST_CASE("a file-size limit, like a full disk, is one line, exit code 3, and keeps what is finished") {
   const WorkingFolder folder;
   folder.write("small.toml", small);

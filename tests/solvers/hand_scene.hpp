@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "catch.hpp"
 #include "core/problem.hpp"
 #include "core/solution.hpp"
 #include "solvers/solver.hpp"
@@ -33,7 +34,14 @@ inline core::ProblemBatch axes_problem(double e_x, double e_y, double e_z) {
 inline core::SolutionBatch solve(const char* solver, const core::ProblemBatch& problems,
                                  const solvers::SolverOptions& options = {}, const core::Oracle* oracle = nullptr) {
   core::SolutionBatch solutions;
-  solvers::find_solver(solver)->solve(problems, options, oracle, solutions);
+  const solvers::SolverEntry& entry = *solvers::find_solver(solver);
+  entry.solve(problems, options, oracle, solutions);
+  // What is found out by hand about the double path holds for the kernels of the baseline, which give the same bits.
+  core::SolutionBatch packed;
+  entry.kernel(core::Isa::Baseline)(problems, options, oracle, packed);
+  INFO(solver);
+  CHECK(packed.status == solutions.status);
+  CHECK(packed.iterations == solutions.iterations);
   return solutions;
 }
 

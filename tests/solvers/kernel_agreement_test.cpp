@@ -1,4 +1,5 @@
-// Instruction sets with a fused multiply-add round differently from the double path. How far that goes, over many trials.
+// Instruction sets with a fused multiply-add round differently from the double path. How far that goes, over many
+// trials.
 
 #include <algorithm>
 #include <cmath>
@@ -68,11 +69,12 @@ TEST_CASE("fused and plain arithmetic agree but for trials that amplify rounding
   for (const std::size_t points : {5, 7}) {
     for (const char* name : {"ols", "lm", "rr", "rrr"}) {
       const Differences d = compare(*solvers::find_solver(name), isa, points, tolerance_m);
-      std::printf("%s, %zu points, %s against double: %llu both converged, %llu with other iterations, %llu with another "
-                  "status, largest gap %.1e m, %llu beyond %.0e m\n",
-                  name, points, core::name_of(isa).data(), static_cast<unsigned long long>(d.both_converged),
-                  static_cast<unsigned long long>(d.other_iterations), static_cast<unsigned long long>(d.other_status),
-                  d.largest_m, static_cast<unsigned long long>(d.beyond), tolerance_m);
+      std::printf(
+          "%s, %zu points, %s against double: %llu both converged, %llu with other iterations, %llu with another "
+          "status, largest gap %.1e m, %llu beyond %.0e m\n",
+          name, points, core::name_of(isa).data(), static_cast<unsigned long long>(d.both_converged),
+          static_cast<unsigned long long>(d.other_iterations), static_cast<unsigned long long>(d.other_status),
+          d.largest_m, static_cast<unsigned long long>(d.beyond), tolerance_m);
       CHECK(d.other_iterations + d.other_status + d.beyond <= trials / 10'000);
     }
   }

@@ -25,7 +25,9 @@ struct Origin {
     oracle.k_error = core::Stream(2018, "k_error");
   }
 
-  solvers::TrialOracle<double> of(std::size_t trial) const { return solvers::oracle_of<double>(oracle, trial, oracle.first_trial + trial); }
+  solvers::TrialOracle<double> of(std::size_t trial) const {
+    return solvers::oracle_of<double>(oracle, trial, oracle.first_trial + trial);
+  }
 };
 
 solvers::KContext<double> context(const solvers::TrialOracle<double>& oracle, const solvers::SolverOptions& options,

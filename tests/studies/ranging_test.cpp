@@ -1,5 +1,5 @@
-#include "solvers/dilution.hpp"
 #include "studies/ranging.hpp"
+#include "solvers/dilution.hpp"
 
 #include <cmath>
 
