@@ -131,6 +131,7 @@ template <class Arch, std::size_t Count>
 struct RealTraits<RealPack<Arch, Count>> {
   using Mask = MaskPack<Arch, Count>;
   using Words = WordsPack<Arch, Count>;
+  using Narrow = RealPack<Arch, 1>;
   static constexpr std::size_t width = xsimd::batch<double, Arch>::size;
   static constexpr std::size_t lanes = width * Count;
 

@@ -18,13 +18,22 @@ void ProblemBatch::reshape(std::size_t points, std::size_t trials) {
   trials_ = trials;
   stride_ = stride_of(trials);
   has_scores_ = false;
-  const std::size_t needed = (points * 4 + position_parameters) * stride_ + largest_lanes;
-  if (values_.size() < needed) values_.resize(needed);
+  has_images_ = false;
+  grow();
 }
 
 void ProblemBatch::add_scores() {
   has_scores_ = true;
-  const std::size_t needed = (points_ * 5 + position_parameters) * stride_ + largest_lanes;
+  grow();
+}
+
+void ProblemBatch::add_images() {
+  has_images_ = true;
+  grow();
+}
+
+void ProblemBatch::grow() {
+  const std::size_t needed = columns() * stride_ + largest_lanes;
   if (values_.size() < needed) values_.resize(needed);
 }
 

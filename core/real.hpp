@@ -14,7 +14,8 @@
 /// core/pack.hpp for packs; comparisons, arithmetic and bit operations are the operators.
 namespace ridgeloc::core {
 
-/// What belongs to a number type.
+/// What belongs to a number type. `Narrow` is the same in one register per value: half the code, for kernels that need
+/// not be the fastest.
 template <class Real>
 struct RealTraits;
 
@@ -22,6 +23,7 @@ template <>
 struct RealTraits<double> {
   using Mask = bool;
   using Words = std::uint64_t;
+  using Narrow = double;
   static constexpr std::size_t lanes = 1;
   static double load(const double* from) { return *from; }
 };

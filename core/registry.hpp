@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace ridgeloc::core {
@@ -12,6 +13,15 @@ template <class List, class F>
 void with_entry(std::size_t index, F&& f) {
   [&]<std::size_t... I>(std::index_sequence<I...>) {
     (void)((I == index && (f(std::tuple_element_t<I, List>{}), true)) || ...);
+  }
+  (std::make_index_sequence<std::tuple_size_v<List>>{});
+}
+
+/// The same with the type alone, as std::type_identity.
+template <class List, class F>
+void with_type(std::size_t index, F&& f) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (void)((I == index && (f(std::type_identity<std::tuple_element_t<I, List>>{}), true)) || ...);
   }
   (std::make_index_sequence<std::tuple_size_v<List>>{});
 }

@@ -17,6 +17,7 @@ namespace ridgeloc::core {
 /// allocates only when the batch grows. Not synchronized.
 struct SolutionBatch {
   std::array<std::vector<double>, position_parameters> estimate;  ///< position (m); the last finite iterate
+  std::vector<double> image_distance_mm;  ///< v, where it is an unknown; otherwise what it was taken for
   std::vector<std::uint8_t> status;                               ///< a `Status` per trial
   std::vector<double> iterations;                                 ///< steps computed, the last one included
   std::vector<double> residual_rms_m;                             ///< sqrt(sum e_j^2 / n) at the estimate

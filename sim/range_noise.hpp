@@ -6,7 +6,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "core/matrix3.hpp"
+#include "core/matrix.hpp"
 #include "core/problem.hpp"
 #include "core/registry.hpp"
 #include "core/stream.hpp"

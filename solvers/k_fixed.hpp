@@ -7,16 +7,14 @@
 namespace ridgeloc::solvers {
 
 /// The same constant k for every component, trial and iteration.
-struct FixedK {
+struct FixedK : KDefaults {
   static constexpr std::string_view name = "fixed";
   static constexpr std::string_view summary = "a constant, given by k_fixed";
   static constexpr bool needs_ols_step = false;
-  static constexpr bool needs_oracle = false;
 
-  template <class Real>
-  core::Vector3<Real> operator()(const KContext<Real>& c) const {
-    const Real k(c.options.k_fixed);
-    return {k, k, k};
+  template <class Real, std::size_t P>
+  core::Vector<Real, P> operator()(const KContext<Real, P>& c) const {
+    return every<P>(Real(c.options.k_fixed));
   }
 };
 

@@ -2,27 +2,20 @@
 
 #include <string_view>
 
-#include "core/elementary.hpp"
 #include "solvers/k_context.hpp"
+#include "solvers/true_k.hpp"
 
 namespace ridgeloc::solvers {
 
-/// The paper's estimator: one scalar for all components, the geometric mean of sigma2 / dx_i^2,
-/// k = sigma2 / (prod_i dx_ls,i^2)^(1/p), p = 3 (RRR paper, eq. 12, with exponent p where the print says n;
-/// Kibria 2003).
-struct KibriaGm {
+/// The paper's estimator: one scalar for all components, the geometric mean of sigma2 / alpha_i^2,
+/// k = sigma2 / (prod_i alpha_i^2)^(1/p) (RRR paper, eq. 12, with exponent p where the print says n; Kibria 2003).
+struct KibriaGm : KDefaults {
   static constexpr std::string_view name = "kibria_gm";
-  static constexpr std::string_view summary = "sigma2 / (prod dx_i^2)^(1/p): the paper's geometric-mean estimate";
-  static constexpr bool needs_ols_step = true;
-  static constexpr bool needs_oracle = false;
+  static constexpr std::string_view summary = "geometric mean of sigma2 / alpha_i^2: the paper's estimate";
 
-  template <class Real>
-  core::Vector3<Real> operator()(const KContext<Real>& c) const {
-    const Real floor(k_length_floor_m);
-    const Real product = core::max(core::abs(c.ols_step[0]), floor) * core::max(core::abs(c.ols_step[1]), floor) *
-                         core::max(core::abs(c.ols_step[2]), floor);
-    const Real k = c.sigma2 * core::inverse_cube_root(product * product);
-    return {k, k, k};
+  template <class Real, std::size_t P>
+  core::Vector<Real, P> operator()(const KContext<Real, P>& c) const {
+    return every<P>(c.sigma2 * inverse_geometric_mean(squared_alpha(c)));
   }
 };
 

@@ -3,12 +3,33 @@
 #include <tuple>
 
 #include "solvers/k_fixed.hpp"
+#include "solvers/k_gcv.hpp"
+#include "solvers/k_hk.hpp"
+#include "solvers/k_hk_max.hpp"
+#include "solvers/k_hkb.hpp"
+#include "solvers/k_khalaf_shukur.hpp"
+#include "solvers/k_kibria_am.hpp"
 #include "solvers/k_kibria_gm.hpp"
+#include "solvers/k_kibria_med.hpp"
+#include "solvers/k_lawless_wang.hpp"
+#include "solvers/k_muniz_kibria.hpp"
 #include "solvers/k_oracle.hpp"
+#include "solvers/k_thisted.hpp"
 
 namespace ridgeloc::solvers {
 
 /// The estimators of the ridge parameter. A new one is a file with its class and a line here.
-using KEstimators = std::tuple<KibriaGm, FixedK, OracleElem, OracleGm>;
+using KEstimators = std::tuple<KibriaGm,                    //
+                               KibriaAm,                    //
+                               KibriaMed,                   //
+                               HoerlKennard,                //
+                               HoerlKennardMax,             //
+                               HoerlKennardBaldwin,         //
+                               Thisted,                     //
+                               LawlessWang,                 //
+                               KhalafShukur,                //
+                               Mk2, Mk3, Mk4, Mk5, Mk6,     //
+                               GeneralizedCrossValidation,  //
+                               FixedK, OracleElem, OracleGm>;
 
 }  // namespace ridgeloc::solvers

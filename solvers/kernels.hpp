@@ -2,48 +2,37 @@
 
 #include <array>
 #include <cstddef>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
+#include "core/registry.hpp"
 #include "solvers/dilution.hpp"
 #include "solvers/methods.hpp"
+#include "solvers/models.hpp"
 #include "solvers/solve_batch.hpp"
 #include "solvers/solver.hpp"
 
 namespace ridgeloc::solvers {
 
-/// Method I of `Methods` over a number type. The usual numbers of points have kernels of their own, the others share
-/// one.
+/// Method I of `Methods`/// Solver I of `Methods` over a number type.
 template <class Real, std::size_t I>
 void solve(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
            core::SolutionBatch& out) {
-  using Method = std::tuple_element_t<I, Methods>;
-  const Method method{options};
+  using Chosen = std::tuple_element_t<I, Methods>;
+  SolverOptions own = options;
+  Chosen::adjust(own);
   out.reshape(problems.trials());
-  const auto solve_with = [&]<std::size_t Points, bool Scored>() {
-    using Model = RangeModel<Real, Points, Scored>;
-    if constexpr (core::lanes<Real> == 1) {
-      solve_one_by_one<Model>(method, problems, oracle, out);
-    } else {
-      solve_batch<Model>(method, problems, oracle, out);
-    }
-  };
-  if (problems.has_scores()) return solve_with.template operator()<any_points, true>();
-  switch (problems.points()) {
-    case 3:
-      return solve_with.template operator()<3, false>();
-    case 4:
-      return solve_with.template operator()<4, false>();
-    case 5:
-      return solve_with.template operator()<5, false>();
-    case 6:
-      return solve_with.template operator()<6, false>();
-    case 7:
-      return solve_with.template operator()<7, false>();
-    case 8:
-      return solve_with.template operator()<8, false>();
-    default:
-      return solve_with.template operator()<any_points, false>();
-  }
+  core::with_type<typename Chosen::Variants>(Chosen::variant(own), [&]<class Method>(std::type_identity<Method>) {
+    const Method method(own);
+    with_model<Real, Method::unrolled>(problems, own, [&]<class Model>(std::type_identity<Model>) {
+      if constexpr (core::lanes<Real> == 1) {
+        solve_one_by_one<Model>(method, problems, oracle, out);
+      } else {
+        solve_batch<Model>(method, problems, oracle, out);
+      }
+    });
+  });
 }
 
 /// All methods, in their order.

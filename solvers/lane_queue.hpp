@@ -13,7 +13,7 @@ namespace ridgeloc::solvers {
 template <class Real, class Model, class Method>
 class LaneQueue {
  public:
-  using State = IterationState<Real, Method::memory_size>;
+  using State = IterationState<Real, Model::unknowns, Method::template memory_size<Model::unknowns>>;
 
   LaneQueue(const Method& method, const core::ProblemBatch& problems, const core::Oracle* oracle)
       : method_(method), problems_(problems), oracle_(oracle), survivors_(survivors_of_thread()) {
@@ -65,6 +65,7 @@ class LaneQueue {
     for (std::size_t v = 0; v < State::values; ++v) values_[v][lane] = entry.state[v];
     if (oracle_ != nullptr) {
       for (std::size_t axis = 0; axis < 3; ++axis) truth_[axis][lane] = oracle_->truth[axis][entry.trial];
+      if (!oracle_->image_distance.empty()) truth_[3][lane] = oracle_->image_distance[entry.trial];
     }
   }
 
@@ -77,15 +78,16 @@ class LaneQueue {
     for (std::size_t lane = 0; lane < lanes; ++lane) marks[lane] = (going >> lane & 1U) != 0 ? 1.0 : 0.0;
     core::Mask<Real> active = core::load<Real>(marks) > Real(0.5);
 
-    const Model model(survivors_.problems(), 0);
-    TrialOracle<Real> known;
+    const Model model(survivors_.problems(), 0, method_.options);
+    TrialOracle<Real, Model::unknowns> known;
     if (oracle_ != nullptr) {
       core::Oracle here = *oracle_;
       for (std::size_t axis = 0; axis < 3; ++axis) here.truth[axis] = truth_[axis];
-      known =
-          oracle_of<Real>(here, 0, core::Words<Real>(oracle_->first_trial) + core::to_words(core::load<Real>(number_)));
+      here.image_distance = truth_[3];
+      known = oracle_of(model, here, 0,
+                        core::Words<Real>(oracle_->first_trial) + core::to_words(core::load<Real>(number_)));
     }
-    const TrialOracle<Real>* const oracle = oracle_ != nullptr ? &known : nullptr;
+    const auto* const oracle = oracle_ != nullptr ? &known : nullptr;
 
     const int enough = survivors_.empty() ? 0 : static_cast<int>(lanes - lanes / 4);
     std::uint32_t left;
@@ -94,17 +96,21 @@ class LaneQueue {
       left = core::lane_bits(active);
     } while (std::popcount(left) > enough);
     spill(state, values_);
+    store_state(model, state, 0, survivors_.finished());
     return left;
   }
 
+  /// Copies what came of the trial in a lane to its place among the others.
   void retire(std::size_t lane, core::SolutionBatch& out) const {
     const std::size_t trial = trial_[lane];
-    for (std::size_t axis = 0; axis < 3; ++axis) out.estimate[axis][trial] = values_[State::X + axis][lane];
-    out.iterations[trial] = values_[State::Iterations][lane];
-    out.status[trial] = static_cast<std::uint8_t>(values_[State::StatusCode][lane]);
-    out.eta_first[trial] = values_[State::EtaFirst][lane];
-    out.eta_last[trial] = values_[State::EtaLast][lane];
-    out.eta_mean[trial] = values_[State::EtaSum][lane] * (1.0 / values_[State::Iterations][lane]);
+    const core::SolutionBatch& finished = survivors_.finished();
+    for (std::size_t axis = 0; axis < 3; ++axis) out.estimate[axis][trial] = finished.estimate[axis][lane];
+    out.status[trial] = finished.status[lane];
+    for (const auto column :
+         {&core::SolutionBatch::image_distance_mm, &core::SolutionBatch::iterations, &core::SolutionBatch::eta_first,
+          &core::SolutionBatch::eta_last, &core::SolutionBatch::eta_mean}) {
+      (out.*column)[trial] = (finished.*column)[lane];
+    }
   }
 
   const Method& method_;
@@ -112,7 +118,7 @@ class LaneQueue {
   const core::Oracle* oracle_;
   Survivors& survivors_;
   alignas(64) double values_[State::values][lanes] = {};
-  alignas(64) double truth_[3][lanes] = {};
+  alignas(64) double truth_[4][lanes] = {};  ///< position, image distance
   alignas(64) double number_[lanes] = {};
   std::size_t trial_[lanes] = {};
 };

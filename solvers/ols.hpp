@@ -5,31 +5,44 @@
 
 #include "solvers/least_squares.hpp"
 #include "solvers/step.hpp"
+#include "solvers/weight.hpp"
 
 namespace ridgeloc::solvers {
 
-/// Ordinary least squares by Gauss-Newton: dx = (J'WJ)^-1 J'We, W = diag(s^2) (RRR paper, eqs. 5, 7, 9).
-struct Ols {
-  static constexpr std::string_view name = "ols";
-  static constexpr std::string_view summary = "Gauss-Newton least squares";
-  static constexpr std::array<std::string_view, 0> option_names{};
-  static constexpr bool has_k = false;
-  static constexpr std::size_t memory_size = 0;
+/// Gauss-Newton's method: dx = (J'WJ)^-1 J'We, W = diag(s^2) (RRR paper, eqs. 5, 7, 9).
+struct GaussNewton : MethodDefaults {
+  static constexpr bool unrolled = true;
 
   const SolverOptions& options;
 
-  template <class Model, class Real = typename Model::Real>
-  Step<Real> step(const Model& model, const core::Vector3<Real>& x, const Real&, const TrialOracle<Real>*,
-                  Memory<Real, memory_size>&) const {
-    const NormalEquations<Real> equations = least_squares_equations(model, x);
-    const core::LinearSolution<Real> solution = core::solve(equations.matrix, equations.gradient);
-    return {solution.x, solution.singular, !solution.singular, {}};
+  explicit GaussNewton(const SolverOptions& o) : options(o) {}
+
+  template <class Model, class Vector>
+  ScoreWeights weights(const Model&, const Vector&) const {
+    return ScoreWeights(options);
   }
 
-  template <class Score, class Real>
-  Score weight(const Score& score, const Real&, std::size_t) const {
-    return score_weight(score);
+  template <class Model, class Vector, class Real, class Oracle, class Memory>
+  Step<Real, Model::unknowns> step(const Model& model, const Vector& u, const Real&, const Oracle*, Memory&) const {
+    const auto equations = normal_equations(model, u, ScoreWeights(options));
+    const auto solution = core::solve(equations.matrix, equations.gradient);
+    return {solution.x, solution.singular, !solution.singular, {}};
   }
+};
+
+/// Ordinary least squares.
+struct Ols : SingleVariant<GaussNewton> {
+  static constexpr std::string_view name = "ols";
+  static constexpr std::string_view summary = "Gauss-Newton least squares";
+  static constexpr std::array<std::string_view, 0> option_names{};
+};
+
+/// The same with what is known of the image distance, whatever `options.v_mode` says.
+struct PriorGaussNewton : SingleVariant<GaussNewton> {
+  static constexpr std::string_view name = "gn_prior";
+  static constexpr std::string_view summary = "Gauss-Newton with a prior on the image distance";
+  static constexpr std::array<std::string_view, 0> option_names{};
+  static void adjust(SolverOptions& options) { options.v_mode = VMode::Prior; }
 };
 
 }  // namespace ridgeloc::solvers

@@ -10,13 +10,20 @@ namespace ridgeloc::solvers {
 
 namespace {
 
+/// The kernels of an instruction set, none where the processor lacks it: even the function that lists them is compiled
+/// for that instruction set.
+template <core::Isa isa>
+Kernels kernels_if_supported() {
+  return core::is_supported(isa) ? kernels<isa>() : Kernels{};
+}
+
 /// In the order of core::Isa.
 const std::array<Kernels, core::isa_count>& kernels_by_isa() {
   static const std::array<Kernels, core::isa_count> kernels_of_program = {
     kernels<core::Isa::Baseline>(),
 #if defined(__x86_64__)
-    kernels<core::Isa::Avx2>(),
-    kernels<core::Isa::Avx512>(),
+    kernels_if_supported<core::Isa::Avx2>(),
+    kernels_if_supported<core::Isa::Avx512>(),
 #endif
   };
   return kernels_of_program;

@@ -2,90 +2,179 @@
 
 #include <array>
 #include <string_view>
+#include <tuple>
 
-#include "core/registry.hpp"
-#include "solvers/k_registry.hpp"
+#include "solvers/k_kernels.hpp"
 #include "solvers/least_squares.hpp"
+#include "solvers/ridge_weights.hpp"
 #include "solvers/step.hpp"
+#include "solvers/weight.hpp"
 
 namespace ridgeloc::solvers {
+
+/// What kernels are made for.
+enum class RidgeKind {
+  Paper,    ///< the paper's estimator of K, options at their defaults
+  Plain,    ///< any estimator, options at their defaults
+  General,  ///< any estimator and all options
+};
 
 /// Ridge regression, and robust ridge regression where `robust` is set: dx = (J'WJ + K)^-1 J'We with K from `options.k`
 /// at every iteration (RRR paper, eqs. 10, 12, 13, 14).
 ///
 /// W is diag(s^2), or the robust weights of weight.hpp at x_k. An estimator of K that learns from the data gets one
 /// least-squares step dx_ls at x_k, with W = diag(s^2) in either case, and sigma2 = e'We / n at x_k - dx_ls.
-template <bool robust>
-struct Ridge {
+template <bool robust, RidgeKind kind>
+struct RidgeMethod : MethodDefaults {
   static constexpr bool has_k = true;
-  static constexpr std::size_t memory_size = 0;
+  static constexpr bool plain = kind != RidgeKind::General;
+  static constexpr bool unrolled = kind == RidgeKind::Paper;
 
   const SolverOptions& options;
 
-  template <class Score, class Real>
-  auto weight(const Score& score, const Real& residual, std::size_t points) const {
-    if constexpr (robust) {
-      return robust_weight(score, residual, points, options.theta_m);
+  explicit RidgeMethod(const SolverOptions& o) : options(o) {}
+
+  template <class Model, class Vector>
+  auto weights(const Model& model, const Vector& u) const {
+    if constexpr (!robust) {
+      return ScoreWeights(options);
+    } else if constexpr (plain) {
+      return PaperWeights(options, model.points(), Model::unknowns);
     } else {
-      return score_weight(score);
+      const bool elsewhere = options.irls_residual == IrlsResidual::Ols;
+      const auto ols = elsewhere ? least_squares_at(model, u).ols_step : u;
+      return RidgeWeights<Model>(options, model, u, ols);
     }
   }
 
-  template <class Model, class Real = typename Model::Real>
-  Step<Real> step(const Model& model, const core::Vector3<Real>& x, const Real& iteration,
-                  const TrialOracle<Real>* oracle, Memory<Real, memory_size>&) const {
-    Step<Real> out;
-    core::with_entry<KEstimators>(options.k,
-                                  [&](auto estimator) { out = step_with(estimator, model, x, iteration, oracle); });
-    return out;
+  template <class Model, class Vector, class Real, class Oracle, class Memory>
+  Step<Real, Model::unknowns> step(const Model& model, const Vector& u, const Real& iteration, const Oracle* oracle,
+                                   Memory&) const {
+    constexpr std::size_t P = Model::unknowns;
+    const KTraits estimator = kind == RidgeKind::Paper ? traits_of<KibriaGm>() : k_traits<Real>(options.k);
+    const bool learns = estimator.needs_ols_step || (!plain && robust && options.irls_residual == IrlsResidual::Ols);
+
+    NormalEquations<Real, P> equations;
+    LeastSquares<Real, P> ols;
+    if constexpr (robust && plain) {
+      const PaperWeights paper(options, model.points(), P);
+      if (learns) {
+        observe_once(model, u, paper, equations, ols.equations);
+        solve_least_squares(model, u, ols);
+      } else {
+        equations = normal_equations(model, u, paper);
+      }
+    } else {
+      if (learns) ols = least_squares_at(model, u);
+      if constexpr (robust) {
+        const RidgeWeights<Model> own(options, model, u, ols.ols_step);
+        equations = normal_equations(model, u, own);
+      } else {
+        equations = learns ? ols.equations : normal_equations(model, u, ScoreWeights(options));
+      }
+    }
+
+    KContext<Real, P> context{ols.equations, ols.ols_step,   Real(0.0), Real(0.0), ols.ols_step, {}, u,
+                              iteration,     model.points(), oracle,    options};
+    if (estimator.needs_ols_step) fill_variance(model, u, estimator, context);
+    RidgeMatrix<Real, P> k;
+    if constexpr (kind == RidgeKind::Paper) {
+      k = core::add_diagonal(k, KibriaGm{}(context));
+    } else {
+      k_kernel<Real, P>(options.k)(context, k);
+    }
+    equations.matrix = core::add(equations.matrix, k);
+    if (!plain && options.ridge_anchor == RidgeAnchor::Prior) {
+      const Vector pull = core::multiply(k, core::subtract(u, model.start()));
+      core::unroll<P>([&](auto i) { equations.gradient[i] = equations.gradient[i] + pull[i]; });
+    }
+    const auto solution = core::solve(equations.matrix, equations.gradient);
+    const core::Mask<Real> singular = ols.singular | solution.singular;
+    return {solution.x, singular, !singular, core::diagonal(k)};
   }
 
  private:
-  template <class KEstimator, class Model, class Real = typename Model::Real>
-  Step<Real> step_with(const KEstimator& estimator, const Model& model, const core::Vector3<Real>& x,
-                       const Real& iteration, const TrialOracle<Real>* oracle) const {
-    NormalEquations<Real> least_squares;
-    NormalEquations<Real> weighted;
-    for (std::size_t j = 0; j < model.points(); ++j) {
-      const RangeObservation<Real> o = model.observe(j, x);
-      const auto score = model.score(j);
-      if constexpr (robust) weighted.add(o, weight(score, o.residual, model.points()));
-      if constexpr (!robust || KEstimator::needs_ols_step) least_squares.add(o, score_weight(score));
-    }
+  /// Both sets of equations in one pass, since observing is the most expensive part.
+  template <class Model, class Vector, class Equations>
+  void observe_once(const Model& model, const Vector& u, const PaperWeights& paper, Equations& weighted,
+                    Equations& unweighted) const {
+    const ScoreWeights scores(options);
+    for_each_point(
+        model,
+        [](auto j, const Model& m, const auto& at, const auto& robustly, const auto& plainly, auto& a, auto& b)
+            __attribute__((always_inline)) {
+              const auto o = m.observe(j, at);
+              const auto score = m.score(j);
+              a.add(o, robustly(j, score, o.residual));
+              b.add(o, plainly(j, score, o.residual));
+            },
+        u, paper, scores, weighted, unweighted);
+    model.add_prior(u, paper.largest(), weighted);
+    model.add_prior(u, 1.0, unweighted);
+  }
 
-    KContext<Real> context{{}, Real(0.0), x, iteration, oracle, options};
-    core::Mask<Real> singular = iteration < Real(0.0);  // in no lane
-    if constexpr (KEstimator::needs_ols_step) {
-      const core::LinearSolution<Real> ols = core::solve(least_squares.matrix, least_squares.gradient);
-      context.ols_step = ols.x;
-      context.sigma2 =
-          weighted_squares(model, core::subtract(x, ols.x)) * Real(1.0 / static_cast<double>(model.points()));
-      singular = ols.singular;
-    }
-    const core::Vector3<Real> k = estimator(context);
+  template <class Model, class Vector, class Real = typename Model::Real>
+  LeastSquares<Real, Model::unknowns> least_squares_at(const Model& model, const Vector& u) const {
+    LeastSquares<Real, Model::unknowns> ols;
+    ols.equations = normal_equations(model, u, ScoreWeights(options));
+    solve_least_squares(model, u, ols);
+    return ols;
+  }
 
-    const NormalEquations<Real>& equations = robust ? weighted : least_squares;
-    const core::LinearSolution<Real> solution =
-        core::solve(core::add_diagonal(equations.matrix, k), equations.gradient);
-    singular = singular | solution.singular;
-    return {solution.x, singular, !singular, k};
+  template <class Model, class Vector, class Real = typename Model::Real>
+  void solve_least_squares(const Model& model, const Vector& u, LeastSquares<Real, Model::unknowns>& ols) const {
+    const auto solution = core::solve(ols.equations.matrix, ols.equations.gradient);
+    ols.ols_step = solution.x;
+    ols.singular = solution.singular;
+    if (!plain && options.ols_mode == OlsMode::Full) ols.ols_step = full_least_squares(options, model, u, ols);
+  }
+
+  template <class Model, class Vector, class Real, std::size_t P>
+  void fill_variance(const Model& model, const Vector& u, const KTraits& estimator, KContext<Real, P>& c) const {
+    const ScoreWeights scores(options);
+    const auto n = static_cast<double>(model.points());
+    const bool by_dof = !plain && options.sigma2_source == Sigma2Source::Dof;
+    if (estimator.needs_squares || by_dof) c.squares = weighted_squares(model, u, scores);
+    if (by_dof) {
+      const Real rest = core::max(c.squares - core::dot(c.least_squares.gradient, c.ols_step), Real(0.0));
+      c.sigma2 = rest * core::reciprocal(Real(n - static_cast<double>(P)));
+    } else if (!plain && options.sigma2_source == Sigma2Source::Prior) {
+      c.sigma2 = Real(options.sigma_prior_m * options.sigma_prior_m);
+    } else {
+      c.sigma2 = weighted_squares(model, core::subtract(u, c.ols_step), scores) * Real(1.0 / n);
+    }
   }
 };
 
-/// Ridge regression.
+/// Ridge regression, or robust ridge regression.
+template <bool robust>
+struct Ridge : SolverDefaults {
+  using Variants = std::tuple<RidgeMethod<robust, RidgeKind::Paper>, RidgeMethod<robust, RidgeKind::Plain>,
+                              RidgeMethod<robust, RidgeKind::General>>;
+  static std::size_t variant(const SolverOptions& o) {
+    const bool plain = !o.normalize_weights && o.irls_residual == IrlsResidual::Current &&
+                       o.ols_mode == OlsMode::Step && o.ridge_anchor == RidgeAnchor::Current &&
+                       o.sigma2_source == Sigma2Source::NonlinearMs;
+    const RidgeKind kind = !plain ? RidgeKind::General : uses_paper_k(o) ? RidgeKind::Paper : RidgeKind::Plain;
+    return static_cast<std::size_t>(kind);
+  }
+};
+
 struct RidgeRegression : Ridge<false> {
   static constexpr std::string_view name = "rr";
   static constexpr std::string_view summary = "ridge regression with K estimated at every iteration";
-  static constexpr std::array<std::string_view, 7> option_names = {
-      "k", "k_fixed", "similarity", "k_error", "k_error_draw", "ktrue", "eta"};
+  static constexpr std::array<std::string_view, 11> option_names = {
+      "k",   "k_fixed",  "similarity",    "k_error",      "k_error_draw", "ktrue",
+      "eta", "ols_mode", "sigma2_source", "ridge_coords", "ridge_anchor"};
 };
 
-/// Robust ridge regression.
 struct RobustRidgeRegression : Ridge<true> {
   static constexpr std::string_view name = "rrr";
   static constexpr std::string_view summary = "robust ridge regression: reweighted residuals and K";
-  static constexpr std::array<std::string_view, 8> option_names = {
-      "k", "k_fixed", "similarity", "k_error", "k_error_draw", "ktrue", "eta", "theta_m"};
+  static constexpr std::array<std::string_view, 15> option_names = {
+      "k",          "k_fixed",       "similarity",       "k_error",      "k_error_draw", "ktrue",
+      "eta",        "ols_mode",      "sigma2_source",    "ridge_coords", "ridge_anchor", "theta_m",
+      "irls_min_n", "irls_residual", "normalize_weights"};
 };
 
 }  // namespace ridgeloc::solvers

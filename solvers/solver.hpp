@@ -25,7 +25,7 @@ struct SolverEntry {
   std::string_view summary;
   std::span<const std::string_view> options;    ///< names of the settings that it reads besides the common ones
   Solver solve;                                 ///< in double, one trial at a time: the reference
-  std::array<Solver, core::isa_count> kernels;  ///< several trials at a time; null where the program holds none
+  std::array<Solver, core::isa_count> kernels;  ///< several trials at a time; null where they cannot run
 
   Solver kernel(core::Isa isa) const { return kernels[static_cast<std::size_t>(isa)]; }
 };

@@ -10,6 +10,8 @@ void Survivors::reshape(const core::ProblemBatch& batch, std::size_t values, std
   if (states_.size() < batch.trials() * values) states_.resize(batch.trials() * values);
   problems_.reshape(batch.points(), lanes);
   if (batch.has_scores()) problems_.add_scores();
+  if (batch.has_images()) problems_.add_images();
+  finished_.reshape(lanes);
 }
 
 double* Survivors::push(std::size_t trial) {

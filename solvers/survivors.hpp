@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/problem.hpp"
+#include "core/solution.hpp"
 
 namespace ridgeloc::solvers {
 
@@ -30,6 +31,9 @@ class Survivors {
   bool empty() const { return next_ == end_; }
   const core::ProblemBatch& problems() const { return problems_; }
 
+  /// What came of the problems in the slots.
+  core::SolutionBatch& finished() { return finished_; }
+
  private:
   std::vector<std::uint32_t> trials_;
   std::vector<double> states_;
@@ -37,6 +41,7 @@ class Survivors {
   std::size_t next_ = 0;
   std::size_t end_ = 0;
   core::ProblemBatch problems_;
+  core::SolutionBatch finished_;
 };
 
 /// The queue of the calling thread.

@@ -28,6 +28,8 @@ core::ProblemBatch scenes(std::size_t trials, std::size_t points, double sigma_m
 
 /// Eigenvalues of J'WJ at x, ascending.
 Eigen::Vector3d eigenvalues(const core::ProblemBatch& problems, std::size_t trial, const Point& x, bool robust) {
+  solvers::SolverOptions options;
+  options.theta_m = theta_m;
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   for (std::size_t j = 0; j < problems.points(); ++j) {
     Eigen::Vector3d d;
@@ -35,7 +37,7 @@ Eigen::Vector3d eigenvalues(const core::ProblemBatch& problems, std::size_t tria
       d(axis) = x[static_cast<std::size_t>(axis)] - problems.position(j, static_cast<std::size_t>(axis))[trial];
     }
     const double e = d.norm() - problems.measured(j)[trial];
-    const double weight = robust ? solvers::robust_weight(1.0, e, problems.points(), theta_m) : 1.0;
+    const double weight = robust ? solvers::PaperWeights(options, problems.points(), 3)(0, 1.0, e) : 1.0;
     normal += weight * d.normalized() * d.normalized().transpose();
   }
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(normal).eigenvalues();

@@ -25,14 +25,14 @@ struct Origin {
     oracle.k_error = core::Stream(2018, "k_error");
   }
 
-  solvers::TrialOracle<double> of(std::size_t trial) const {
-    return solvers::oracle_of<double>(oracle, trial, oracle.first_trial + trial);
+  solvers::TrialOracle<double, 3> of(std::size_t trial) const {
+    return {{0.0, 0.0, 0.0}, oracle.range_sigma_m * oracle.range_sigma_m, oracle.k_error, oracle.first_trial + trial};
   }
 };
 
-solvers::KContext<double> context(const solvers::TrialOracle<double>& oracle, const solvers::SolverOptions& options,
-                                  const Point& x, int iteration) {
-  return {{}, 0.0, x, static_cast<double>(iteration), &oracle, options};
+solvers::KContext<double, 3> context(const solvers::TrialOracle<double, 3>& oracle,
+                                     const solvers::SolverOptions& options, const Point& x, int iteration) {
+  return {{}, {}, 0.0, 0.0, {}, {}, x, static_cast<double>(iteration), 5, &oracle, options};
 }
 
 }  // namespace
@@ -48,16 +48,16 @@ TEST_CASE("the true K is sigma^2 over the squared error, by component or as geom
   CHECK(gm[0] == Approx(std::cbrt(1.0 * 0.04 * 0.0025)));
   CHECK(gm[0] == gm[1]);
   CHECK(gm[0] == gm[2]);
-  const auto at_truth = solvers::true_k<double>(solvers::KTrue::Elem, {0, 1, 1}, origin.of(0));
+  const auto at_truth = solvers::true_k<double, 3>(solvers::KTrue::Elem, {0, 1, 1}, origin.of(0));
   CHECK(at_truth[0] == Approx(0.01 / 1e-18));
 }
 
 TEST_CASE("similarity is 1 for equal parameters and falls with their distance") {
   using solvers::Eta;
-  CHECK(solvers::similarity<double>(Eta::Squared, {1, 2, 3}, {1, 2, 3}) == 1.0);
-  CHECK(solvers::similarity<double>(Eta::Squared, {4, 2, 7}, {1, 2, 3}) == Approx(1.0 / 6.0));
-  CHECK(solvers::similarity<double>(Eta::Absolute, {4, 2, 7}, {1, 4, 3}) == Approx(1.0 / (1.0 + std::sqrt(5.0))));
-  CHECK(solvers::similarity<double>(Eta::Absolute, {1, 4, 3}, {4, 2, 7}) == Approx(1.0 / (1.0 + std::sqrt(5.0))));
+  CHECK(solvers::similarity<double, 3>(Eta::Squared, {1, 2, 3}, {1, 2, 3}) == 1.0);
+  CHECK(solvers::similarity<double, 3>(Eta::Squared, {4, 2, 7}, {1, 2, 3}) == Approx(1.0 / 6.0));
+  CHECK(solvers::similarity<double, 3>(Eta::Absolute, {4, 2, 7}, {1, 4, 3}) == Approx(1.0 / (1.0 + std::sqrt(5.0))));
+  CHECK(solvers::similarity<double, 3>(Eta::Absolute, {1, 4, 3}, {4, 2, 7}) == Approx(1.0 / (1.0 + std::sqrt(5.0))));
 }
 
 TEST_CASE("a perturbed K has the similarity asked for, to rounding") {
@@ -73,7 +73,7 @@ TEST_CASE("a perturbed K has the similarity asked for, to rounding") {
         // Errors from a nanometre, where K' is 10^16, to ten metres.
         const double size = std::pow(10.0, -9.0 + 10.0 * static_cast<double>(t) / trials);
         const Point x{size, -0.3 * size, 2.0 * size};
-        const solvers::TrialOracle<double> known = origin.of(t);
+        const solvers::TrialOracle<double, 3> known = origin.of(t);
         const auto c = context(known, options, x, static_cast<int>(t % 30));
         const auto k_true = solvers::true_k(solvers::KTrue::Elem, x, origin.of(t));
         const double achieved = solvers::similarity(solvers::Eta::Squared, solvers::OracleElem{}(c), k_true);
@@ -92,7 +92,7 @@ TEST_CASE("the direction of the error is drawn per iteration or per trial, of ei
   options.similarity = 0.5;
   const Point x{1, 1, 1};
   const auto k = [&](std::size_t trial, int iteration) {
-    const solvers::TrialOracle<double> known = origin.of(trial);
+    const solvers::TrialOracle<double, 3> known = origin.of(trial);
     return solvers::OracleElem{}(context(known, options, x, iteration));
   };
   CHECK(k(0, 0) != k(0, 1));
@@ -114,9 +114,9 @@ TEST_CASE("an oracle's K does not depend on where in a batch the trial lies") {
   solvers::SolverOptions options;
   options.similarity = 0.7;
   const Point x{1, 1, 1};
-  const solvers::TrialOracle<double> seventh = origin.of(7);
+  const solvers::TrialOracle<double, 3> seventh = origin.of(7);
   origin.oracle.first_trial = 5;
-  const solvers::TrialOracle<double> second_of_five = origin.of(2);
+  const solvers::TrialOracle<double, 3> second_of_five = origin.of(2);
   CHECK(solvers::OracleGm{}(context(second_of_five, options, x, 3)) ==
         solvers::OracleGm{}(context(seventh, options, x, 3)));
 }
@@ -130,8 +130,8 @@ TEST_CASE("eta is recorded at the first and last iteration and on average, where
   options.k = k_index("fixed");
   options.k_fixed = 0.7;
   const auto eta_at = [&](const Point& x) {
-    return solvers::similarity(solvers::Eta::Squared, {0.7, 0.7, 0.7},
-                               solvers::true_k(solvers::KTrue::Elem, x, origin.of(0)));
+    return solvers::similarity<double, 3>(solvers::Eta::Squared, {0.7, 0.7, 0.7},
+                                          solvers::true_k(solvers::KTrue::Elem, x, origin.of(0)));
   };
   const double first = eta_at({1, 2, 1.5});
   const double second = eta_at(estimate(solve("rr", p, [&] {

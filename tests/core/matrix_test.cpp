@@ -1,4 +1,4 @@
-#include "core/matrix3.hpp"
+#include "core/matrix.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -10,8 +10,11 @@ using namespace ridgeloc;
 
 namespace {
 
-core::Symmetric3<double> from(const Eigen::Matrix3d& m) {
-  return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
+using Matrix = core::Symmetric<double, 3>;
+using Right = core::Vector<double, 3>;
+
+core::Symmetric<double, 3> from(const Eigen::Matrix3d& m) {
+  return {{m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)}};
 }
 
 }  // namespace
@@ -26,7 +29,7 @@ TEST_CASE("solve agrees with Eigen on definite and indefinite matrices") {
       b(r) = normal(engine);
       for (int c = 0; c <= r; ++c) a(r, c) = a(c, r) = normal(engine);
     }
-    const auto solution = core::solve(from(a), {b(0), b(1), b(2)});
+    const auto solution = core::solve(from(a), Right{b(0), b(1), b(2)});
     const Eigen::Vector3d x(solution.x[0], solution.x[1], solution.x[2]);
     const double condition = a.norm() * a.inverse().norm();
     // The adjugate loses at most cond^2 eps of the largest component; 64 covers the operations of the formula.
@@ -41,23 +44,23 @@ TEST_CASE("solve calls a matrix singular by Hadamard's bound, whatever the scale
   const Eigen::Vector3d v(0.0, 1.0, 0.0);
   const Eigen::Matrix3d rank_two = u * u.transpose() + v * v.transpose();
   for (const double scale : {1e-30, 1.0, 1e30}) {
-    CHECK(core::solve(from(scale * rank_two), {1.0, 1.0, 1.0}).singular);
-    CHECK_FALSE(core::solve(from(scale * Eigen::Matrix3d::Identity()), {1.0, 1.0, 1.0}).singular);
+    CHECK(core::solve(from(scale * rank_two), Right{1.0, 1.0, 1.0}).singular);
+    CHECK_FALSE(core::solve(from(scale * Eigen::Matrix3d::Identity()), Right{1.0, 1.0, 1.0}).singular);
   }
-  CHECK(core::solve<double>({}, {1.0, 1.0, 1.0}).singular);
+  CHECK(core::solve(Matrix{}, Right{1.0, 1.0, 1.0}).singular);
 
   // Diagonal matrices are as well conditioned as their rows are scaled: a ridge of 1e12 in one component alone.
-  const auto scaled = core::solve<double>({1e12, 0.1, 0.1, 2.0, 0.3, 1.0}, {1e12, 2.0, 1.0});
+  const auto scaled = core::solve(Matrix{{1e12, 0.1, 0.1, 2.0, 0.3, 1.0}}, Right{1e12, 2.0, 1.0});
   CHECK_FALSE(scaled.singular);
   CHECK(scaled.x[0] == Approx(1.0));
-  const auto huge = core::solve<double>({1e16, 0.1, 0.1, 2.0, 0.3, 1.0}, {1e16, 2.6, 1.4});
+  const auto huge = core::solve(Matrix{{1e16, 0.1, 0.1, 2.0, 0.3, 1.0}}, Right{1e16, 2.6, 1.4});
   CHECK_FALSE(huge.singular);
   CHECK(huge.x[1] == Approx((2.5 - 0.3 * 1.3) / 1.91));
 }
 
 TEST_CASE("solve answers what is not finite with what is not finite, not with singular") {
   const double nan = std::nan("");
-  const auto solution = core::solve<double>({nan, 0.0, 0.0, 1.0, 0.0, 1.0}, {1.0, 1.0, 1.0});
+  const auto solution = core::solve(Matrix{{nan, 0.0, 0.0, 1.0, 0.0, 1.0}}, Right{1.0, 1.0, 1.0});
   CHECK_FALSE(solution.singular);
   CHECK_FALSE(std::isfinite(solution.x[0]));
 }
