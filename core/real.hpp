@@ -110,6 +110,13 @@ Words<Real> to_words(Real whole) {
   return bits_of(whole + Real(0x1p52)) & Words<Real>(mantissa);
 }
 
+/// 2^exponent for a whole exponent from -1022 to 1023.
+template <class Real>
+Real power_of_two(Real exponent) {
+  constexpr double shift = 6755399441055744.0;  // 1.5 * 2^52: the whole number ends up in the lowest bits
+  return from_bits(bits_of(exponent + Real(shift + 1023.0)) << 52);
+}
+
 /// x = mantissa * 2^exponent with mantissa in [1, 2), for positive normal x.
 template <class Real>
 struct Split {
