@@ -168,6 +168,15 @@ void store_column(std::span<std::uint8_t> column, std::size_t first, const Real&
   for (std::size_t lane = 0; lane < end; ++lane) column[first + lane] = static_cast<std::uint8_t>(values[lane]);
 }
 
+/// table[floor(position)] for positions from 0 to below 2^52, in every lane.
+template <class Real>
+Real look_up(const double* table, const Real& position) {
+  double values[lanes<Real>];
+  store(values, position);
+  for (double& value : values) value = table[static_cast<std::size_t>(value)];
+  return load<Real>(values);
+}
+
 /// first, first + 1, ..., one number per lane.
 template <class Real>
 Real lane_numbers(std::size_t first) {
