@@ -54,10 +54,9 @@ Samples read_samples(const toml::node& node, const Setting& setting, const std::
   std::vector<double> values = list != nullptr ? listed(*list, label) : from_file(*table, label);
   if (list != nullptr && values.empty()) return {};
   if (values.size() < fewest_samples || values.size() > most_samples) {
-    fail_at(node,
-            values.size() < fewest_samples
-                ? fmt::format("{}: {} samples are too few; give {} at least", label, values.size(), fewest_samples)
-                : fmt::format("{}: at most {} samples are allowed", label, most_samples));
+    fail_at(node, values.size() < fewest_samples
+                      ? fmt::format("{}: too few samples, {}; give {} at least", label, values.size(), fewest_samples)
+                      : fmt::format("{}: at most {} samples are allowed", label, most_samples));
   }
   for (const double value : values) {
     if (setting.low <= value && value <= setting.high) continue;

@@ -218,7 +218,7 @@ TEST_CASE("each bad list or file of samples gets one line") {
       {noise("noise_model = \"empirical\"\n"),
        "demo.toml: noise_model = \"empirical\" needs noise.noise_samples: a list"},
       {samples("[]"), "demo.toml: noise_model = \"empirical\" needs noise.noise_samples"},
-      {samples("[1]"), "demo.toml:5: noise.noise_samples: 1 samples are too few; give 2 at least"},
+      {samples("[1]"), "demo.toml:5: noise.noise_samples: too few samples, 1; give 2 at least"},
       {samples("[0, 0.0]"), "demo.toml:5: noise.noise_samples: the samples are all zero"},
       {samples("[1, \"x\"]"), "demo.toml:5: noise.noise_samples[1] is not a number"},
       {samples("[1, nan]"),
