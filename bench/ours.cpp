@@ -30,7 +30,7 @@ void generate_on(std::uint64_t first_trial, core::ProblemBatch& problems) {
   static const core::Stream noise_stream(seed, "noise", noise.name);
   static const sim::Kernels scene = sim::kernels(isa);
   scene.place_objects(view, streams, first_trial, problems);
-  scene.measure_ranges(noise, range_sigma_m, noise_stream, first_trial, problems);
+  scene.measure_ranges(noise, {.range_sigma_m = range_sigma_m}, noise_stream, first_trial, problems);
 }
 
 }  // namespace

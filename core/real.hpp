@@ -112,6 +112,13 @@ Words<Real> to_words(Real whole) {
   return bits_of(whole + Real(0x1p52)) & Words<Real>(mantissa);
 }
 
+/// 2^exponent for a whole exponent from -1022 to 1023.
+template <class Real>
+Real power_of_two(Real exponent) {
+  constexpr double shift = 6755399441055744.0;  // 1.5 * 2^52: the whole number ends up in the lowest bits
+  return from_bits(bits_of(exponent + Real(shift + 1023.0)) << 52);
+}
+
 /// x = mantissa * 2^exponent with mantissa in [1, 2), for positive normal x.
 template <class Real>
 struct Split {
@@ -161,6 +168,15 @@ void store_column(std::span<std::uint8_t> column, std::size_t first, const Real&
   store(values, value);
   const std::size_t end = std::min(lanes<Real>, column.size() - first);
   for (std::size_t lane = 0; lane < end; ++lane) column[first + lane] = static_cast<std::uint8_t>(values[lane]);
+}
+
+/// table[floor(position)] for positions from 0 to below 2^52, in every lane.
+template <class Real>
+Real look_up(const double* table, const Real& position) {
+  double values[lanes<Real>];
+  store(values, position);
+  for (double& value : values) value = table[static_cast<std::size_t>(value)];
+  return load<Real>(values);
 }
 
 /// first, first + 1, ..., one number per lane.

@@ -1,13 +1,16 @@
 #pragma once
 
 #include "core/isa.hpp"
+#include "sim/field_of_view.hpp"
 #include "sim/range_noise.hpp"
+#include "sim/scores.hpp"
 
 namespace ridgeloc::sim {
 
-/// Scene and noise, compiled for one instruction set: the same functions as the templates of these names.
+/// Scene, scores and noise, compiled for one instruction set: the same functions as the templates of these names.
 struct Kernels {
   decltype(&place_objects<double>) place_objects;
+  decltype(&draw_scores<double>) draw_scores;
   decltype(&measure_ranges<double>) measure_ranges;
 };
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
 #include "core/problem.hpp"
 #include "core/random.hpp"
+#include "sim/noise_options.hpp"
 
 namespace ridgeloc::sim {
 
@@ -12,10 +14,12 @@ namespace ridgeloc::sim {
 struct NormalNoise {
   static constexpr std::string_view name = "normal";
   static constexpr std::string_view summary = "independent normal errors";
+  static constexpr std::array<std::string_view, 0> option_names{};
+
+  const NoiseOptions& options;
 
   template <class Real>
-  [[gnu::flatten]] static void draw(const core::Stream& noise, std::uint64_t first_trial,
-                                    core::ProblemBatch& problems) {
+  [[gnu::flatten]] void draw(const core::Stream& noise, std::uint64_t first_trial, core::ProblemBatch& problems) const {
     using Words = core::Words<Real>;
     for (std::size_t slot = 0; slot < problems.trials(); slot += core::lanes<Real>) {
       const Words trial = core::trial_words<Real>(first_trial + slot);

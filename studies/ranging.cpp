@@ -116,7 +116,11 @@ methods = ["ols", "rr", "rrr"]
     scratch.problems.reshape(settings.points, range.count);
     const sim::Kernels scene = sim::kernels(scratch.isa);
     scene.place_objects(settings.view, sim::SceneStreams(seed, settings.view), range.first, scratch.problems);
-    scene.measure_ranges(*settings.noise, settings.range_sigma_m, core::Stream(seed, "noise", settings.noise->name),
+    if (settings.has_scores) {
+      scratch.problems.add_scores();
+      scene.draw_scores(settings.noise_options.score, core::Stream(seed, "score"), range.first, scratch.problems);
+    }
+    scene.measure_ranges(*settings.noise, settings.noise_options, core::Stream(seed, "noise", settings.noise->name),
                          range.first, scratch.problems);
 
     core::Oracle oracle;

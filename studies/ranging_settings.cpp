@@ -20,8 +20,21 @@ std::vector<std::string> names_of(const Registry& registry) {
   return names;
 }
 
+constexpr std::array<std::string_view, 2> score_names = {"none", "random"};
+
+/// The noise models that read a setting.
+Condition read_by_noise(std::string_view setting) {
+  Condition condition{"noise_model", {}};
+  for (const sim::NoiseEntry& entry : sim::noise_registry()) {
+    if (std::ranges::find(entry.options, setting) != entry.options.end()) condition.choices.emplace_back(entry.name);
+  }
+  return condition;
+}
+
 std::vector<Setting> make_settings() {
   const sim::FieldOfView view;
+  const sim::NoiseOptions noise;
+  const Condition with_scores{"scores", {"random"}};
   const solvers::SolverOptions solver;
   const auto integer = [](std::int64_t v) { return Value(v); };
   return {
@@ -71,7 +84,86 @@ std::vector<Setting> make_settings() {
        false},
       {"noise", "noise_model", Kind::Choice, std::string("normal"), 0, 0, names_of(sim::noise_registry()), "1",
        "distribution of the range errors", false},
-      {"noise", "range_sigma_m", Kind::Real, 0.1, 0, 1e4, {}, "m", "standard deviation of the range noise", false},
+      {"noise",
+       "range_sigma_m",
+       Kind::Real,
+       noise.range_sigma_m,
+       0,
+       1e4,
+       {},
+       "m",
+       "standard deviation of the range errors; contaminated: of the good ones, proportional: at reference_depth_m, "
+       "empirical: root mean square",
+       false},
+      {"noise",
+       "noise_dof",
+       Kind::Real,
+       noise.dof,
+       2.1,
+       1000,
+       {},
+       "1",
+       "degrees of freedom of student_t",
+       false,
+       read_by_noise("noise_dof")},
+      {"noise",
+       "outlier_rate",
+       Kind::Real,
+       noise.outlier_rate,
+       0,
+       1,
+       {},
+       "1",
+       "share of outliers among the errors",
+       false,
+       read_by_noise("outlier_rate")},
+      {"noise",
+       "outlier_size",
+       Kind::Real,
+       noise.outlier_size,
+       1,
+       1e4,
+       {},
+       "1",
+       "by how much outliers are larger than good errors",
+       false,
+       read_by_noise("outlier_size")},
+      {"noise",
+       "reference_depth_m",
+       Kind::Real,
+       noise.reference_depth_m,
+       1e-3,
+       1e5,
+       {},
+       "m",
+       "range at which the standard deviation is range_sigma_m",
+       false,
+       read_by_noise("reference_depth_m")},
+      {"noise",
+       "noise_samples",
+       Kind::Samples,
+       Samples(),
+       -1e6,
+       1e6,
+       {},
+       "1",
+       "errors to draw from, scaled to a root mean square of range_sigma_m",
+       false,
+       read_by_noise("noise_samples")},
+      {"noise", "scores", Kind::Choice, std::string("none"), 0, 0, strings(score_names), "1",
+       "detection scores: none, or random ones, uniform from score_low to 1", false},
+      {"noise", "score_low", Kind::Real, noise.score.low, 0.01, 1, {}, "1", "smallest score", false, with_scores},
+      {"noise",
+       "score_error_exponent",
+       Kind::Real,
+       noise.score.error_exponent,
+       -3,
+       3,
+       {},
+       "1",
+       "errors are proportional to score to this power; at 0 scores say nothing",
+       false,
+       with_scores},
       {"solver",
        "max_iterations",
        Kind::Integer,
@@ -153,8 +245,17 @@ RangingCell::RangingCell(const Values& values)
   view.depth_distribution =
       choice<sim::DepthDistribution>(get<std::string>(values, "depth_distribution"), sim::depth_distribution_names);
   view.start_offset_m = get<double>(values, "start_offset_m");
-  const auto registry = sim::noise_registry();
-  noise = &*std::ranges::find(registry, get<std::string>(values, "noise_model"), &sim::NoiseEntry::name);
+  noise = sim::find_noise(get<std::string>(values, "noise_model"));
+  noise_options.range_sigma_m = range_sigma_m;
+  noise_options.dof = get<double>(values, "noise_dof");
+  noise_options.outlier_rate = get<double>(values, "outlier_rate");
+  noise_options.outlier_size = get<double>(values, "outlier_size");
+  noise_options.reference_depth_m = get<double>(values, "reference_depth_m");
+  noise_options.samples = get<Samples>(values, "noise_samples").values();
+  noise_options.samples_rms = get<Samples>(values, "noise_samples").rms();
+  noise_options.score.low = get<double>(values, "score_low");
+  noise_options.score.error_exponent = get<double>(values, "score_error_exponent");
+  has_scores = get<std::string>(values, "scores") == "random";
 }
 
 solvers::SolverOptions solver_options(const Values& cell, const Values& given) {

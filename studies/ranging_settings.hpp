@@ -3,6 +3,7 @@
 #include <span>
 
 #include "sim/field_of_view.hpp"
+#include "sim/noise_options.hpp"
 #include "sim/range_noise.hpp"
 #include "solvers/options.hpp"
 #include "studies/value.hpp"
@@ -12,13 +13,15 @@ namespace ridgeloc::studies {
 /// Settings of the `ranging` experiment: sections scene, noise and solver.
 std::span<const Setting> ranging_settings();
 
-/// What a cell says about scene and noise.
+/// What a cell says about scene and noise. Valid as long as the values.
 struct RangingCell {
   explicit RangingCell(const Values& values);
   std::size_t points;
   sim::FieldOfView view;
   const sim::NoiseEntry* noise;
   double range_sigma_m;
+  sim::NoiseOptions noise_options;  ///< refers to the samples among the values
+  bool has_scores;
 };
 
 /// What a method's own settings, and where it has none the cell's, say about its solver.

@@ -77,6 +77,36 @@ void read_sections(const toml::table& document, Study& study) {
   }
 }
 
+/// Whether any cell reads the setting.
+bool is_read(const Study& study, const Setting& setting) {
+  if (setting.read_if.setting.empty()) return true;
+  const auto chosen = [&](const Value& value) {
+    return std::ranges::find(setting.read_if.choices, std::get<std::string>(value)) != setting.read_if.choices.end();
+  };
+  const auto fixed = study.fixed.find(setting.read_if.setting);
+  if (fixed != study.fixed.end()) return chosen(fixed->second);
+  return std::ranges::any_of(study.sweep, [&](const SweepAxis& axis) {
+    return axis.setting->name == setting.read_if.setting && std::ranges::any_of(axis.values, chosen);
+  });
+}
+
+/// Refuses axes that change nothing, and lists of samples that are read and not there.
+void check_conditions(const toml::table& document, const std::string& origin, const Study& study) {
+  for (const SweepAxis& axis : study.sweep) {
+    if (is_read(study, *axis.setting)) continue;
+    const auto& [setting, choices] = axis.setting->read_if;
+    fail_at(*document.get("sweep"), fmt::format("sweep.{} changes nothing: it is read only if {} is {}",
+                                                axis.setting->name, setting, fmt::join(choices, " or ")));
+  }
+  for (const Setting& s : study.experiment->settings()) {
+    if (s.kind != Kind::Samples || !is_read(study, s) || !std::get<Samples>(study.fixed.at(s.name)).values().empty()) {
+      continue;
+    }
+    throw core::InputError(fmt::format("{}: {} = \"{}\" needs {}.{}: {}", origin, s.read_if.setting,
+                                       fmt::join(s.read_if.choices, "\" or \""), s.section, s.name, accepted(s)));
+  }
+}
+
 }  // namespace
 
 StudySource find_study(std::string_view path_or_name) {
@@ -129,6 +159,7 @@ Study read_study(const StudySource& source, std::span<const std::string> overrid
   }
   read_sweep(document, study);
   read_sections(document, study);
+  check_conditions(document, source.origin, study);
   read_methods(document, source.origin, study);
   read_figures(document, study);
   return study;

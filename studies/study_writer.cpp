@@ -103,7 +103,10 @@ std::string template_toml(const Experiment& experiment) {
       experiment.name(), experiment.summary(), experiment.name());
   for_each_setting(experiment, out, [&](const Setting& s) {
     const std::string unit = s.unit == "1" ? "" : fmt::format(" ({})", s.unit);
-    out += fmt::format("# {}{}: {}\n", s.description, unit, accepted(s));
+    const std::string condition = s.read_if.setting.empty() ? ""
+                                                            : fmt::format("; read only if {} is {}", s.read_if.setting,
+                                                                          fmt::join(s.read_if.choices, " or "));
+    out += fmt::format("# {}{}: {}{}\n", s.description, unit, accepted(s), condition);
     // What the example sweeps may not stand here too.
     const bool swept = experiment.example().find(fmt::format("\n{} = [", s.name)) != std::string_view::npos;
     out += fmt::format("{}{} = {}\n", swept ? "# " : "", s.name, to_toml(s.standard));

@@ -49,6 +49,9 @@ toml::array expand_range(const toml::table& range, const Setting& setting) {
 
 SweepAxis read_axis(const toml::node& node, const Setting& setting) {
   const std::string label = fmt::format("sweep.{}", setting.name);
+  if (setting.kind == Kind::Samples) {
+    fail_at(node, fmt::format("{} cannot be swept; make one study of each list of samples", setting.name));
+  }
   SweepAxis axis{&setting, {}};
   std::set<std::string> seen;
   const auto add = [&](Value value, const toml::node& place) {

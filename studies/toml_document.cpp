@@ -75,17 +75,6 @@ void apply_override(toml::table& document, const std::string& text) {
   });
 }
 
-/// A value as messages quote it: on one line, shortened where it is long.
-std::string text_of(const toml::node& node) {
-  constexpr std::size_t longest = 60;
-  std::ostringstream out;
-  node.visit([&](const auto& concrete) { out << concrete; });
-  std::istringstream words(out.str());
-  std::string text;
-  for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word;
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
-}
-
 /// A finite number, whole or not.
 std::optional<double> number(const toml::node& node) {
   if (!node.is_number()) return std::nullopt;
@@ -119,6 +108,8 @@ std::optional<Value> read_value(const toml::node& node, const Setting& s) {
       const bool valid = low && high && within(*low) && within(*high) && *low <= *high;
       return valid ? std::optional<Value>(Interval{*low, *high}) : std::nullopt;
     }
+    case Kind::Samples:  // never here: they have messages of their own
+      break;
   }
   return std::nullopt;
 }
@@ -136,6 +127,22 @@ std::string place_of(const toml::node& node) {
   if (source.path == nullptr) return "study";
   if (source.path->starts_with(override_prefix)) return *source.path;
   return fmt::format("{}:{}", *source.path, source.begin.line);
+}
+
+std::string text_of(const toml::node& node) {
+  constexpr std::size_t longest = 60;
+  std::ostringstream out;
+  node.visit([&](const auto& concrete) { out << concrete; });
+  std::istringstream words(out.str());
+  std::string text;
+  for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word;
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
+std::filesystem::path folder_of(const toml::node& node) {
+  const toml::source_region& source = node.source();
+  if (source.path == nullptr || source.path->starts_with(override_prefix)) return {};
+  return std::filesystem::path(*source.path).parent_path();
 }
 
 void fail_at(const toml::node& node, const std::string& message) {
@@ -156,6 +163,7 @@ void check_keys(const toml::table& table, std::string_view table_name, const std
 }
 
 Value read_setting(const toml::node& node, const Setting& setting, const std::string& label) {
+  if (setting.kind == Kind::Samples) return read_samples(node, setting, label);
   auto value = read_value(node, setting);
   if (value) return *value;
   std::string hint;

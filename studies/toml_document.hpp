@@ -4,6 +4,7 @@
 
 #include <toml++/toml.h>
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +20,13 @@ toml::table parse_document(std::string_view text, const std::string& origin, std
 /// "file:line" of a node, or the override that it came from.
 std::string place_of(const toml::node& node);
 
+/// A value as messages quote it: on one line, shortened where it is long.
+std::string text_of(const toml::node& node);
+
+/// Folder that paths in a node start from: that of its study file; for an override the working directory, as for all
+/// that is typed there.
+std::filesystem::path folder_of(const toml::node& node);
+
 /// Throws core::InputError with "place: message".
 [[noreturn]] void fail_at(const toml::node& node, const std::string& message);
 
@@ -30,6 +38,9 @@ std::string suggestion(std::string_view name, const std::vector<std::string>& ca
 
 /// Reads a node as the value of a setting, within its bounds. `label` is how messages call it.
 Value read_setting(const toml::node& node, const Setting& setting, const std::string& label);
+
+/// Reads a list of numbers, which may be empty, or a column of a CSV file.
+Samples read_samples(const toml::node& node, const Setting& setting, const std::string& label);
 
 /// Reads a node as text, or as a list of texts, one of `choices` each when there are any.
 std::string read_text(const toml::node& node, const std::string& label, const std::vector<std::string>& choices = {});

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "core/edit_distance.hpp"
 
@@ -33,11 +35,26 @@ std::string quoted(std::string_view text) {
 
 }  // namespace
 
+Samples::Samples(std::vector<double> values) : values_(std::make_shared<const std::vector<double>>(std::move(values))) {
+  double squares = 0.0;
+  for (const double value : *values_) squares += value * value;
+  if (!values_->empty()) rms_ = std::sqrt(squares / static_cast<double>(values_->size()));
+}
+
+bool Samples::operator==(const Samples& other) const {
+  return std::ranges::equal(values(), other.values());
+}
+
 std::string to_toml(const Value& value) {
   struct Writer {
     std::string operator()(std::int64_t v) const { return fmt::format("{}", v); }
     std::string operator()(double v) const { return number_text(v); }
     std::string operator()(const std::string& v) const { return quoted(v); }
+    std::string operator()(const Samples& v) const {
+      std::string text = "[";
+      for (const double sample : v.values()) text += (text.size() > 1 ? ", " : "") + number_text(sample);
+      return text + "]";
+    }
     std::string operator()(const Interval& v) const {
       return fmt::format("[{}, {}]", number_text(v[0]), number_text(v[1]));
     }
@@ -55,6 +72,9 @@ std::string accepted(const Setting& s) {
       return fmt::format("one of: {}", fmt::join(s.choices, ", "));
     case Kind::Range:
       return fmt::format("two numbers [low, high], low <= high, from {} to {}", s.low, s.high);
+    case Kind::Samples:
+      return fmt::format("a list of numbers from {} to {}, or {{ file = \"NAME.csv\", column = \"NAME\" }}", s.low,
+                         s.high);
   }
   return {};
 }

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -13,8 +15,25 @@ namespace ridgeloc::studies {
 /// A closed interval [low, high].
 using Interval = std::array<double, 2>;
 
+/// Numbers to draw from. Copies share them: every cell of a study has one.
+class Samples {
+ public:
+  Samples() = default;
+  explicit Samples(std::vector<double> values);
+
+  std::span<const double> values() const {
+    return values_ == nullptr ? std::span<const double>() : std::span<const double>(*values_);
+  }
+  double rms() const { return rms_; }  ///< root mean square, 0 of none
+  bool operator==(const Samples& other) const;
+
+ private:
+  std::shared_ptr<const std::vector<double>> values_;
+  double rms_ = 0.0;
+};
+
 /// The value of a setting.
-using Value = std::variant<std::int64_t, double, std::string, Interval>;
+using Value = std::variant<std::int64_t, double, std::string, Interval, Samples>;
 
 /// Values by name of setting.
 using Values = std::map<std::string, Value, std::less<>>;
@@ -24,7 +43,13 @@ using Values = std::map<std::string, Value, std::less<>>;
 std::string to_toml(const Value& value);
 
 /// What a setting accepts.
-enum class Kind { Real, Integer, Choice, Range };
+enum class Kind { Real, Integer, Choice, Range, Samples };
+
+/// When a setting is read: always, or only while another one, a choice, has one of some values.
+struct Condition {
+  std::string setting;  ///< empty: always
+  std::vector<std::string> choices;
+};
 
 /// One setting of an experiment: the single place that knows its default, bounds and meaning. Study validation, the
 /// `new` and `list` verbs and the result's labels are all made from it.
@@ -39,6 +64,7 @@ struct Setting {
   std::string unit;  ///< "1" where there is none
   std::string description;
   bool per_method = false;  ///< may also stand in a [[method]]
+  Condition read_if = {};   ///< sweeping it where nothing reads it is an error
 };
 
 /// What the setting accepts, for messages and templates: "a number from 0 to 10", "one of: a, b".

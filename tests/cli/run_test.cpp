@@ -55,6 +55,34 @@ TEST_CASE("a result of another study is never overwritten") {
   CHECK(folder.read("small.h5") == before);
 }
 
+TEST_CASE("samples of noise come from a file beside the study and stay in the result") {
+  const WorkingFolder folder;
+  REQUIRE(folder.shell("mkdir data").exit_code == 0);
+  folder.write("data/residuals.csv", "id,e_m\n1,0.5\n2,-1.5\n3,0.25\n");
+  folder.write("data/field.toml", R"(experiment = "ranging"
+trials = 50
+[noise]
+noise_model = "empirical"
+noise_samples = { file = "residuals.csv", column = "e_m" }
+[[method]]
+solver = "ols"
+)");
+  REQUIRE(folder.ridgeloc("run data/field.toml -o field.h5").exit_code == 0);
+  const std::string resolved = results::read_result_header(folder.path() / "field.h5").study_toml;
+  CHECK(resolved.find("noise_samples = [0.5, -1.5, 0.25]\n") != std::string::npos);
+
+  // The file has done its work: the study in the result is the same study.
+  folder.write("again.toml", resolved);
+  const Outcome again = folder.ridgeloc("run again.toml -o field.h5");
+  CHECK(again.exit_code == 0);
+  CHECK(again.error.find("complete already") != std::string::npos);
+
+  folder.write("data/residuals.csv", "id,e_m\n1,0.5\n2,?\n");
+  const Outcome bad = folder.ridgeloc("run data/field.toml -o other.h5");
+  CHECK(bad.exit_code == 2);
+  CHECK(bad.error == "ridgeloc: data/residuals.csv:3: \"?\" in column \"e_m\" is not a number\n");
+}
+
 TEST_CASE("several studies go to a folder, which is made") {
   const WorkingFolder folder;
   folder.write("a.toml", small);

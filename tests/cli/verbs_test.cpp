@@ -53,8 +53,8 @@ methods = ["rrr", "lm"]
 TEST_CASE("list names what there is") {
   const WorkingFolder folder;
   const std::string all = folder.ridgeloc("list").out;
-  for (const char* name :
-       {"ols", "rrr", "kibria_gm", "oracle_elem", "normal", "eta_first", "converged", "ranging", "fig3a", "fig3bcd"}) {
+  for (const char* name : {"ols", "rrr", "kibria_gm", "oracle_elem", "normal", "student_t", "empirical", "eta_first",
+                           "converged", "ranging", "fig3a", "fig3bcd"}) {
     CHECK(contains(all, name));
   }
   CHECK(lines_of(folder.ridgeloc("list solvers").out).size() == 4);

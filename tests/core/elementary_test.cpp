@@ -34,6 +34,41 @@ TEST_CASE("log stays within its stated error") {
   CHECK(core::log(0x1p-53) == Approx(-53.0 * std::log(2.0)).epsilon(1e-15));
 }
 
+TEST_CASE("exp and exp_minus_one stay within their stated errors") {
+  std::mt19937_64 engine(4);
+  std::uniform_real_distribution<double> whole_range(-708.0, 708.0);
+  std::uniform_real_distribution<double> near_zero(-2.0, 2.0);
+  std::uniform_real_distribution<double> exponent(-300.0, 0.0);
+  double worst = 0.0;
+  double worst_minus_one = 0.0;
+  const auto check = [&](double x) {
+    worst = std::max(worst, error_ulp(core::exp(x), std::exp(static_cast<long double>(x))));
+    worst_minus_one =
+        std::max(worst_minus_one, error_ulp(core::exp_minus_one(x), std::expm1(static_cast<long double>(x))));
+  };
+  for (int i = 0; i < 200'000; ++i) {
+    const double tiny = std::exp2(exponent(engine));
+    for (const double x : {whole_range(engine), near_zero(engine), tiny, -tiny}) check(x);
+  }
+  // Where the exponent changes, what remains of x is largest.
+  for (int half = -1021 * 2 + 1; half < 1021 * 2; half += 2) {
+    const double x = half * 0.5 * std::log(2.0);
+    for (const double near : {std::nextafter(x, -999.0), x, std::nextafter(x, 999.0)}) check(near);
+  }
+  for (const double x : {-708.0, 708.0}) check(x);
+  INFO("largest errors " << worst << " and " << worst_minus_one << " ulp");
+  CHECK(worst <= core::exp_max_error_ulp);
+  CHECK(worst_minus_one <= core::exp_minus_one_max_error_ulp);
+  CHECK(core::exp(0.0) == 1.0);
+  CHECK(core::exp_minus_one(0.0) == 0.0);
+}
+
+TEST_CASE("powers of two are exact from the smallest normal number to the largest") {
+  for (int exponent = -1022; exponent <= 1023; ++exponent) {
+    CHECK(core::power_of_two(static_cast<double>(exponent)) == std::ldexp(1.0, exponent));
+  }
+}
+
 TEST_CASE("sine and cosine of turns stay within their stated error") {
   std::mt19937_64 engine(2);
   std::uniform_real_distribution<double> turns(-1.5, 1.5);

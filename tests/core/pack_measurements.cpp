@@ -159,6 +159,20 @@ void measure_functions(Sequence& sequence, PackMeasurements& m) {
       const long double exact = 1.0L / std::cbrt(static_cast<long double>(x[l]));
       raise(m.inverse_cube_root_error_ulp, static_cast<double>(std::fabs(got[l] - exact)) / ulp_of(exact));
     }
+    for (double& value : x) {
+      value = i % 2 == 0 ? 1416.0 * sequence.uniform() - 708.0 : sequence.spread(-60.0, 1.0);
+      if (i % 4 == 3) value = -value;
+    }
+    core::store(got, core::exp(core::load<NativeReal>(x)));
+    for (std::size_t l = 0; l < lanes; ++l) {
+      const long double exact = std::exp(static_cast<long double>(x[l]));
+      raise(m.exp_error_ulp, static_cast<double>(std::fabs(got[l] - exact)) / ulp_of(exact));
+    }
+    core::store(got, core::exp_minus_one(core::load<NativeReal>(x)));
+    for (std::size_t l = 0; l < lanes; ++l) {
+      const long double exact = std::expm1(static_cast<long double>(x[l]));
+      raise(m.exp_minus_one_error_ulp, static_cast<double>(std::fabs(got[l] - exact)) / ulp_of(exact));
+    }
     for (double& value : turns) value = 3.0 * sequence.uniform() - 1.5;
     const auto both = core::sin_cos_turns(core::load<NativeReal>(turns));
     core::store(got, both.sin);

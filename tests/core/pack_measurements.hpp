@@ -19,6 +19,8 @@ struct PackMeasurements {
   std::size_t wrong_columns = 0;   ///< loads and stores at the end of a column
   std::size_t wrong_masks = 0;
   double log_error_ulp = 0.0;
+  double exp_error_ulp = 0.0;
+  double exp_minus_one_error_ulp = 0.0;
   double sin_cos_error = 0.0;  ///< absolute, in 2^-53
   double inverse_cube_root_error_ulp = 0.0;
 };

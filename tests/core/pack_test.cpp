@@ -7,7 +7,8 @@ using namespace ridgeloc;
 namespace {
 
 void check(const tests::PackMeasurements& m) {
-  CAPTURE(m.lanes, m.log_error_ulp, m.sin_cos_error, m.inverse_cube_root_error_ulp);
+  CAPTURE(m.lanes, m.log_error_ulp, m.exp_error_ulp, m.exp_minus_one_error_ulp, m.sin_cos_error,
+          m.inverse_cube_root_error_ulp);
   CHECK(m.wrong_roots == 0);
   CHECK(m.wrong_reciprocals == 0);
   CHECK(m.wrong_root_inverses == 0);
@@ -18,6 +19,8 @@ void check(const tests::PackMeasurements& m) {
   CHECK(m.wrong_columns == 0);
   CHECK(m.wrong_masks == 0);
   CHECK(m.log_error_ulp <= core::log_max_error_ulp);
+  CHECK(m.exp_error_ulp <= core::exp_max_error_ulp);
+  CHECK(m.exp_minus_one_error_ulp <= core::exp_minus_one_max_error_ulp);
   CHECK(m.sin_cos_error <= core::sin_cos_max_error);
   CHECK(m.inverse_cube_root_error_ulp <= core::inverse_cube_root_max_error_ulp);
 }

@@ -18,7 +18,8 @@ core::ProblemBatch draw(const sim::Kernels& kernels, std::uint64_t first, std::s
   core::ProblemBatch problems;
   problems.reshape(points, trials);
   kernels.place_objects(view, sim::SceneStreams(2018, view), first, problems);
-  kernels.measure_ranges(sim::noise_registry()[0], 0.3, core::Stream(2018, "noise", "normal"), first, problems);
+  kernels.measure_ranges(sim::noise_registry()[0], {.range_sigma_m = 0.3}, core::Stream(2018, "noise", "normal"), first,
+                         problems);
   return problems;
 }
 
@@ -36,7 +37,7 @@ std::vector<std::span<const double>> columns(const core::ProblemBatch& problems)
 }  // namespace
 
 TEST_CASE("the baseline draws the bits of the double path, others the same to rounding") {
-  const sim::Kernels reference = {sim::place_objects<double>, sim::measure_ranges<double>};
+  const sim::Kernels reference = {sim::place_objects<double>, sim::draw_scores<double>, sim::measure_ranges<double>};
   for (const std::size_t trials : {1, 7, 8, 9, 15, 16, 17, 33, 500}) {
     const auto expected = draw(reference, 40, trials);
     for (const core::Isa isa : {core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512}) {

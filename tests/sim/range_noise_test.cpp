@@ -14,7 +14,7 @@ core::ProblemBatch measured_scene(std::size_t points, double sigma_m) {
   core::ProblemBatch problems;
   problems.reshape(points, 50);
   sim::place_objects(view, sim::SceneStreams(2018, view), 0, problems);
-  sim::measure_ranges(sim::noise_registry()[0], sigma_m, core::Stream(2018, "noise"), 0, problems);
+  sim::measure_ranges(sim::noise_registry()[0], {.range_sigma_m = sigma_m}, core::Stream(2018, "noise"), 0, problems);
   return problems;
 }
 

@@ -34,7 +34,8 @@ TEST_CASE("a solve allocates nothing once its buffers have grown") {
   problems.reshape(5, 500);
   const sim::FieldOfView view;
   sim::place_objects(view, sim::SceneStreams(1, view), 0, problems);
-  sim::measure_ranges(sim::noise_registry()[0], 0.3, core::Stream(1, "noise", "normal"), 0, problems);
+  sim::measure_ranges(sim::noise_registry()[0], {.range_sigma_m = 0.3}, core::Stream(1, "noise", "normal"), 0,
+                      problems);
   for (const auto& entry : solvers::solver_registry()) {
     for (std::size_t i = 0; i <= core::isa_count; ++i) {
       if (i > 0 && !core::is_supported(static_cast<core::Isa>(i - 1))) continue;

@@ -31,7 +31,8 @@ struct Batch {
     const sim::FieldOfView view;
     problems.reshape(points, size);
     sim::place_objects(view, sim::SceneStreams(2018, view), 0, problems);
-    sim::measure_ranges(sim::noise_registry()[0], sigma_m, core::Stream(2018, "noise", "normal"), 0, problems);
+    sim::measure_ranges(sim::noise_registry()[0], {.range_sigma_m = sigma_m}, core::Stream(2018, "noise", "normal"), 0,
+                        problems);
     // A truth of its own for every trial, so that a mix-up shows.
     for (std::size_t axis = 0; axis < 3; ++axis) {
       truth[axis].resize(size);
@@ -200,8 +201,8 @@ TEST_CASE("kernels answer every trial of a batch of any size, and of an empty on
 }
 
 TEST_CASE("scores that are all one change nothing, and general kernels agree with those for a fixed number of points") {
-  const Batch plain(GENERATE(std::size_t{3}, std::size_t{4}, std::size_t{5}, std::size_t{6}, std::size_t{7}, std::size_t{8}),
-                    trials);
+  const Batch plain(
+      GENERATE(std::size_t{3}, std::size_t{4}, std::size_t{5}, std::size_t{6}, std::size_t{7}, std::size_t{8}), trials);
   Batch scored(plain.problems.points(), trials);
   scored.problems.add_scores();
   for (std::size_t j = 0; j < scored.problems.points(); ++j) std::ranges::fill(scored.problems.score(j), 1.0);

@@ -37,7 +37,7 @@ Differences compare(const solvers::SolverEntry& entry, core::Isa isa, std::size_
   for (std::uint64_t first = 0; first < trials; first += block) {
     problems.reshape(points, block);
     sim::place_objects(view, streams, first, problems);
-    sim::measure_ranges(sim::noise_registry()[0], 0.1, noise, first, problems);
+    sim::measure_ranges(sim::noise_registry()[0], {.range_sigma_m = 0.1}, noise, first, problems);
     entry.solve(problems, {}, nullptr, reference);
     entry.kernel(isa)(problems, {}, nullptr, packed);
     for (std::size_t t = 0; t < block; ++t) {

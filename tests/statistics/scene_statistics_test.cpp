@@ -74,7 +74,7 @@ TEST_CASE("depth is uniform in volume where asked") {
 
 TEST_CASE("range noise has the standard deviation asked for and is independent between points") {
   auto p = scene({});
-  sim::measure_ranges(sim::noise_registry()[0], 0.3, core::Stream(2018, "noise"), 0, p);
+  sim::measure_ranges(sim::noise_registry()[0], {.range_sigma_m = 0.3}, core::Stream(2018, "noise"), 0, p);
   double mean = 0.0, square = 0.0, product = 0.0;
   const auto error = [&](std::size_t j, std::size_t t) {
     return p.measured(j)[t] - std::hypot(p.position(j, 0)[t], p.position(j, 1)[t], p.position(j, 2)[t]);

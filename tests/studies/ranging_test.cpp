@@ -110,7 +110,52 @@ k = "fixed"
 k_fixed = 0.3
 )",
              {0xc8e7c015983d2123, 0xbe8aaaaaf7e515cb, 0x4d0d99c6ab41e707, 0x3ba0a2bf837d0373, 0x7749de8656a2ed05},
-             {0xc1e854abbaeacb74, 0xdf053421c81f7a1b, 0xb6f5f47aec4cced0, 0x78bf90dd996873d7, 0xb15e517a1fb1970d}});
+             {0xc1e854abbaeacb74, 0xdf053421c81f7a1b, 0xb6f5f47aec4cced0, 0x78bf90dd996873d7, 0xb15e517a1fb1970d}},
+      Golden{R"(
+experiment = "ranging"
+[noise]
+noise_model = "student_t"
+noise_dof = 2.5
+scores = "random"
+[[method]]
+solver = "ols"
+)",
+             {0x174b82dcc166fec4, 0x9bffdfa1c7cae081},
+             {0x27b0f4c7b151983a, 0x5674d1691aff708c}},
+      Golden{R"(
+experiment = "ranging"
+[noise]
+noise_model = "contaminated"
+outlier_rate = 0.2
+outlier_size = 7
+[[method]]
+solver = "ols"
+)",
+             {0x4d2f344a367706c6, 0x9bffdfa1c7cae081},
+             {0x6fd3d94f804bc969, 0x5674d1691aff708c}},
+      Golden{R"(
+experiment = "ranging"
+[noise]
+noise_model = "proportional"
+reference_depth_m = 3
+scores = "random"
+score_low = 0.5
+score_error_exponent = 0.7
+[[method]]
+solver = "ols"
+)",
+             {0xae0b0d39a317bace, 0x9bffdfa1c7cae081},
+             {0x69706cfe0ad3447, 0x5674d1691aff708c}},
+      Golden{R"(
+experiment = "ranging"
+[noise]
+noise_model = "empirical"
+noise_samples = [-2.0, 0.25, 0.5, 1.0, 3.0]
+[[method]]
+solver = "ols"
+)",
+             {0x254cff009d56d497, 0x9bffdfa1c7cae081},
+             {0x800751dbebbf7e4b, 0x5674d1691aff708c}});
   const Study study = read_study({"golden", "golden.toml", golden.study}, std::vector<std::string>{"trials=4096"});
   REQUIRE(study.experiment->version() == 2);
   for (const core::Isa isa : {core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512}) {
