@@ -60,9 +60,19 @@ std::span<const KEstimatorEntry> k_estimator_registry() {
   static constexpr auto registry = []<std::size_t... I>(std::index_sequence<I...>) {
     return std::array{KEstimatorEntry{std::tuple_element_t<I, KEstimators>::name,
                                       std::tuple_element_t<I, KEstimators>::summary,
+                                      std::tuple_element_t<I, KEstimators>::needs_ols_step,
                                       std::tuple_element_t<I, KEstimators>::needs_oracle}...};
   }
   (std::make_index_sequence<std::tuple_size_v<KEstimators>>{});
+  return registry;
+}
+
+std::span<const WeightEntry> weight_registry() {
+  static constexpr auto registry = []<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array{
+        WeightEntry{std::tuple_element_t<I, RobustWeights>::name, std::tuple_element_t<I, RobustWeights>::summary}...};
+  }
+  (std::make_index_sequence<std::tuple_size_v<RobustWeights>>{});
   return registry;
 }
 

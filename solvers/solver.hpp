@@ -45,9 +45,17 @@ const SolverEntry* find_solver(std::string_view name);
 struct KEstimatorEntry {
   std::string_view name;
   std::string_view summary;
+  bool needs_ols_step;
   bool needs_oracle;
 };
 std::span<const KEstimatorEntry> k_estimator_registry();
+
+/// A robust weight of irls as users see it; its index is `SolverOptions::weight`.
+struct WeightEntry {
+  std::string_view name;
+  std::string_view summary;
+};
+std::span<const WeightEntry> weight_registry();
 
 /// Index of the estimator of that name.
 std::optional<std::size_t> find_k_estimator(std::string_view name);

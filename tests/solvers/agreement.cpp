@@ -104,6 +104,7 @@ std::vector<StepAtMinimizer> steps_at_minimizer(const char* solver, std::size_t 
   for (const auto& estimator : solvers::k_estimator_registry()) {
     StepAtMinimizer result;
     result.k = estimator.name;
+    result.learns = estimator.needs_ols_step;
     result.trials = trials;
     auto options = steps(1);
     options.k = *solvers::find_k_estimator(estimator.name);

@@ -25,6 +25,7 @@ Agreement compare_with_ceres(const char* solver, std::size_t trials, std::size_t
 /// The step that a ridge solver takes when it starts at Ceres' minimiser.
 struct StepAtMinimizer {
   std::string k;
+  bool learns = false;  ///< from the least-squares step
   std::size_t trials = 0;
   std::size_t reference = 0;  ///< with a converged reference
   std::size_t singular = 0;   ///< of these, where the solver finds J'WJ singular and takes no step

@@ -70,7 +70,9 @@ TEST_CASE("rr and rrr stay where Ceres' minimiser is, whatever K") {
       CHECK(s.reference > trials * 9 / 10);
       // Where three ranges have no common point, J'e = 0 with e != 0 needs a singular J, and an estimator that takes a
       // least-squares step stops there: 15.1 % of 10^5 trials. Five standard deviations: a false alarm in 2e6.
-      const bool stops = points == 3 && s.k == "kibria_gm";
+      const bool stops = points == 3 && s.learns;
+      // Where they have one, sigma2 is zero to rounding, and these answer with an infinite k: singular too.
+      if (stops && (s.k == "mk2" || s.k == "mk4" || s.k == "mk6")) continue;
       const auto n = static_cast<double>(s.reference);
       CHECK(std::fabs(static_cast<double>(s.singular) - (stops ? 0.151 * n : 0.0)) <=
             (stops ? 5.0 * std::sqrt(0.151 * 0.849 * n) : 0.0));
