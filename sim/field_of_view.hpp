@@ -28,7 +28,8 @@ struct FieldOfView {
   std::array<double, 2> elevation_deg{-80.0, 80.0};
   std::array<double, 2> depth_m{1.0, 10.0};
   DepthDistribution depth_distribution = DepthDistribution::Uniform;
-  double start_offset_m = 5.0;  ///< the start lies at exactly this distance from the truth, in a random direction
+  double start_offset_m = 5.0;   ///< the start lies at exactly this distance from the truth, in a random direction
+  bool start_at_height = false;  ///< ... and at the true height
 
   /// Canonical text of what the stream of object positions depends on.
   std::string scene_content() const;
@@ -62,6 +63,12 @@ Real depth(const FieldOfView& view, const Real& u) {
 }
 
 template <class Real>
+std::array<Real, 3> horizontal_unit_vector(const Real& u) {
+  const core::SinCos<Real> angle = core::sin_cos_turns(u);
+  return {angle.cos, angle.sin, Real(0.0)};
+}
+
+template <class Real>
 core::SinCos<Real> direction(const std::array<double, 2>& interval_deg, const Real& u) {
   return core::sin_cos_turns(
       interpolate<Real>({interval_deg[0] * core::turns_per_degree, interval_deg[1] * core::turns_per_degree}, u));
@@ -87,7 +94,8 @@ template <class Real = double>
       core::store_column(problems.position(j, 2), slot, Real(true_position_m[2]) + d * elevation.sin);
     }
     const auto u = core::uniform_pair<Real>(streams.start.block(trial, Words(0U)));
-    const std::array<Real, 3> offset = core::unit_vector(u);
+    const std::array<Real, 3> offset =
+        view.start_at_height ? detail::horizontal_unit_vector(u[1]) : core::unit_vector(u);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       core::store_column(problems.start(axis), slot,
                          core::mul_add(Real(view.start_offset_m), offset[axis], Real(true_position_m[axis])));

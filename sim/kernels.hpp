@@ -2,17 +2,26 @@
 
 #include "core/isa.hpp"
 #include "sim/field_of_view.hpp"
+#include "sim/images.hpp"
 #include "sim/range_noise.hpp"
 #include "sim/scores.hpp"
 
 namespace ridgeloc::sim {
 
-/// Scene, scores and noise, compiled for one instruction set: the same functions as the templates of these names.
+/// Scene, scores, noise and images, compiled for one instruction set: the same functions as the templates of these
+/// names.
 struct Kernels {
   decltype(&place_objects<double>) place_objects;
   decltype(&draw_scores<double>) draw_scores;
   decltype(&measure_ranges<double>) measure_ranges;
+  decltype(&take_images<double>) take_images;
 };
+
+/// The kernels over a number type.
+template <class Real>
+Kernels kernels_over() {
+  return {place_objects<Real>, draw_scores<Real>, measure_ranges<Real>, take_images<Real>};
+}
 
 /// Those of one instruction set, each defined in a source file that is compiled for it.
 template <core::Isa isa>

@@ -8,7 +8,7 @@ namespace ridgeloc::sim {
 
 template <>
 Kernels kernels<core::native_isa>() {
-  return {place_objects<core::NativeReal>, draw_scores<core::NativeReal>, measure_ranges<core::NativeReal>};
+  return kernels_over<core::NativeReal>();
 }
 
 }  // namespace ridgeloc::sim

@@ -55,8 +55,8 @@ struct Reweighting : MethodDefaults {
     core::with_entry<RobustWeights>(options.weight, [&](auto weight) {
       const Real tuning(options.tuning > 0.0 ? options.tuning : weight.tuning);
       for (std::size_t j = 0; j < n; ++j) {
-        const Real size = core::load<Real>(sizes + j * lanes) * inverse_scale;
-        const Real w = core::max(weight(size, tuning), Real(smallest_weight));
+        const Real standardized = core::load<Real>(sizes + j * lanes) * inverse_scale;
+        const Real w = core::max(weight(standardized, tuning), Real(smallest_weight));
         core::store(sizes + j * lanes, w);
         sum = sum + w;
       }

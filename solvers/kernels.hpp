@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/registry.hpp"
-#include "solvers/dilution.hpp"
+#include "solvers/geometry.hpp"
 #include "solvers/methods.hpp"
 #include "solvers/models.hpp"
 #include "solvers/solve_batch.hpp"
@@ -25,7 +25,7 @@ void solve(const core::ProblemBatch& problems, const SolverOptions& options, con
   out.reshape(problems.trials());
   core::with_type<typename Chosen::Variants>(Chosen::variant(own), [&]<class Method>(std::type_identity<Method>) {
     const Method method(own);
-    with_model<Real, Method::unrolled>(problems, own, [&]<class Model>(std::type_identity<Model>) {
+    with_model<Real, Method::size>(problems, own, [&]<class Model>(std::type_identity<Model>) {
       if constexpr (core::lanes<Real> == 1) {
         solve_one_by_one<Model>(method, problems, oracle, out);
       } else {
@@ -41,14 +41,14 @@ using SolverTable = std::array<Solver, std::tuple_size_v<Methods>>;
 /// What is compiled for each instruction set.
 struct Kernels {
   SolverTable solvers;
-  DilutionKernel dilution;
+  GeometryKernel geometry;
 };
 
 /// The kernels over a number type.
 template <class Real>
 Kernels kernels_over() {
   return []<std::size_t... I>(std::index_sequence<I...>) {
-    return Kernels{{solve<Real, I>...}, dilution_of_precision<Real>};
+    return Kernels{{solve<Real, I>...}, geometry_of<Real>};
   }
   (std::make_index_sequence<std::tuple_size_v<Methods>>{});
 }

@@ -19,7 +19,7 @@ namespace ridgeloc::solvers {
 /// rejected; otherwise it begins with 1e-3.
 template <bool lazy>
 struct Damped : MethodDefaults {
-  static constexpr bool unrolled = lazy;
+  static constexpr KernelSize size = lazy ? KernelSize::Unrolled : KernelSize::Small;
   template <std::size_t P>
   static constexpr std::size_t memory_size = 1;  ///< mu
   static constexpr double first_damping = 1e-3;

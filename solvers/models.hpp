@@ -6,12 +6,13 @@
 #include "solvers/options.hpp"
 #include "solvers/pseudorange_model.hpp"
 #include "solvers/range_model.hpp"
+#include "solvers/step.hpp"
 
 namespace ridgeloc::solvers {
 
-/// Calls f with the model, as std::type_identity, that a batch and the options ask for. With `unrolled` the usual
-/// numbers of ranges have models of their own; without, and for pseudoranges, models are narrow.
-template <class Real, bool unrolled, class F>
+/// Calls f with the model, as std::type_identity, that a batch and the options ask for. Pseudoranges have small
+/// kernels, whatever `size` says.
+template <class Real, KernelSize size, class F>
 void with_model(const core::ProblemBatch& problems, const SolverOptions& options, F f) {
   using Narrow = typename core::RealTraits<Real>::Narrow;
   if (problems.has_images()) {
@@ -23,7 +24,7 @@ void with_model(const core::ProblemBatch& problems, const SolverOptions& options
     if (height_known) return f(std::type_identity<PseudorangeModel<Narrow, 2, true>>{});
     return f(std::type_identity<PseudorangeModel<Narrow, 3, true>>{});
   }
-  if constexpr (unrolled) {
+  if constexpr (size == KernelSize::Unrolled) {
     if (!problems.has_scores() && options.jacobian == Jacobian::Exact) {
       switch (problems.points()) {
         case 3:
@@ -42,10 +43,8 @@ void with_model(const core::ProblemBatch& problems, const SolverOptions& options
           break;
       }
     }
-    f(std::type_identity<RangeModel<Real>>{});
-  } else {
-    f(std::type_identity<RangeModel<Narrow>>{});
   }
+  f(std::type_identity<RangeModel<std::conditional_t<size == KernelSize::Small, Narrow, Real>>>{});
 }
 
 }  // namespace ridgeloc::solvers

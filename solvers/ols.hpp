@@ -11,7 +11,7 @@ namespace ridgeloc::solvers {
 
 /// Gauss-Newton's method: dx = (J'WJ)^-1 J'We, W = diag(s^2) (RRR paper, eqs. 5, 7, 9).
 struct GaussNewton : MethodDefaults {
-  static constexpr bool unrolled = true;
+  static constexpr KernelSize size = KernelSize::Unrolled;
 
   const SolverOptions& options;
 

@@ -102,7 +102,10 @@ enum class ScorePower {
   One,
   Two,
 };
-inline constexpr std::array<std::string_view, 3> score_power_names = {"printed", "one", "two"};
+inline constexpr std::array<std::string_view, 3> score_power_names = {"printed", "1", "2"};
+
+enum class NormalizeWeights { Off, On };
+inline constexpr std::array<std::string_view, 2> normalize_weights_names = {"off", "on"};
 
 /// Which reading of the true ridge parameter K' at iterate x_k is meant, k'_i = sigma^2 / (x_k - x_true)_i^2.
 enum class KTrue {
@@ -155,7 +158,7 @@ struct SolverOptions {
   double theta_m = 0.05;  ///< rrr: w_i = s_i / max(theta, |e_i|)
   IrlsResidual irls_residual = IrlsResidual::Current;
   int irls_min_n = 0;  ///< rrr: robust weights from this number of points on; 0 is more points than unknowns
-  bool normalize_weights = false;  ///< rrr: scale the weights to a mean of 1
+  NormalizeWeights normalize_weights = NormalizeWeights::Off;  ///< rrr: scale the weights to a mean of 1
 
   std::size_t k = 0;     ///< rr, rrr: index into `k_estimator_registry()`
   double k_fixed = 0.0;  ///< the constant of the estimator "fixed"

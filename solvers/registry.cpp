@@ -46,8 +46,8 @@ std::span<const SolverEntry> solver_registry() {
   return registry;
 }
 
-DilutionKernel dilution_kernel(core::Isa isa) {
-  return kernels_by_isa()[static_cast<std::size_t>(isa)].dilution;
+GeometryKernel geometry_kernel(core::Isa isa) {
+  return kernels_by_isa()[static_cast<std::size_t>(isa)].geometry;
 }
 
 const SolverEntry* find_solver(std::string_view name) {
@@ -58,10 +58,9 @@ const SolverEntry* find_solver(std::string_view name) {
 
 std::span<const KEstimatorEntry> k_estimator_registry() {
   static constexpr auto registry = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array{KEstimatorEntry{std::tuple_element_t<I, KEstimators>::name,
-                                      std::tuple_element_t<I, KEstimators>::summary,
-                                      std::tuple_element_t<I, KEstimators>::needs_ols_step,
-                                      std::tuple_element_t<I, KEstimators>::needs_oracle}...};
+    return std::array{KEstimatorEntry{
+        std::tuple_element_t<I, KEstimators>::name, std::tuple_element_t<I, KEstimators>::summary,
+        std::tuple_element_t<I, KEstimators>::needs_ols_step, std::tuple_element_t<I, KEstimators>::needs_oracle}...};
   }
   (std::make_index_sequence<std::tuple_size_v<KEstimators>>{});
   return registry;

@@ -28,7 +28,9 @@ template <bool robust, RidgeKind kind>
 struct RidgeMethod : MethodDefaults {
   static constexpr bool has_k = true;
   static constexpr bool plain = kind != RidgeKind::General;
-  static constexpr bool unrolled = kind == RidgeKind::Paper;
+  static constexpr KernelSize size = kind == RidgeKind::Paper   ? KernelSize::Unrolled
+                                     : kind == RidgeKind::Plain ? KernelSize::Wide
+                                                                : KernelSize::Small;
 
   const SolverOptions& options;
 
@@ -152,7 +154,7 @@ struct Ridge : SolverDefaults {
   using Variants = std::tuple<RidgeMethod<robust, RidgeKind::Paper>, RidgeMethod<robust, RidgeKind::Plain>,
                               RidgeMethod<robust, RidgeKind::General>>;
   static std::size_t variant(const SolverOptions& o) {
-    const bool plain = !o.normalize_weights && o.irls_residual == IrlsResidual::Current &&
+    const bool plain = o.normalize_weights == NormalizeWeights::Off && o.irls_residual == IrlsResidual::Current &&
                        o.ols_mode == OlsMode::Step && o.ridge_anchor == RidgeAnchor::Current &&
                        o.sigma2_source == Sigma2Source::NonlinearMs;
     const RidgeKind kind = !plain ? RidgeKind::General : uses_paper_k(o) ? RidgeKind::Paper : RidgeKind::Plain;

@@ -54,7 +54,7 @@ struct RidgeWeights {
         model(of),
         elsewhere(options.irls_residual == IrlsResidual::Ols),
         place(elsewhere ? core::subtract(u, ols_step) : u) {
-    if (!options.normalize_weights) return;
+    if (options.normalize_weights == NormalizeWeights::Off) return;
     Real sum(0.0);
     for_each_point(model, [&](auto j, const auto&) { sum = sum + paper(j, model.score(j), model.residual(j, place)); });
     factor = Real(static_cast<double>(model.points())) * core::reciprocal(sum);

@@ -30,10 +30,10 @@ struct SolverEntry {
   Solver kernel(core::Isa isa) const { return kernels[static_cast<std::size_t>(isa)]; }
 };
 
-/// `dilution_of_precision`, compiled for an instruction set. Precondition: core::is_supported(isa).
-using DilutionKernel = void (*)(const core::ProblemBatch& problems, const std::array<double, 3>& truth,
-                                std::span<double> gdop);
-DilutionKernel dilution_kernel(core::Isa isa);
+/// `geometry_of`, compiled for an instruction set. Precondition: core::is_supported(isa).
+using GeometryKernel = void (*)(const core::ProblemBatch& problems, const SolverOptions& options,
+                                const core::Oracle& oracle, std::span<double> gdop, std::span<double> condition);
+GeometryKernel geometry_kernel(core::Isa isa);
 
 /// All solvers, in the order in which `list` shows them.
 std::span<const SolverEntry> solver_registry();

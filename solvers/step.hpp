@@ -10,8 +10,8 @@
 #include "solvers/options.hpp"
 
 /// Iterative methods over `Real`. A `Method` is made from the solver options and has `has_k`, whether its steps have a
-/// ridge parameter; `is_direct`, whether its one step is the whole solution; `unrolled`, whether it has kernels of its
-/// own for the usual numbers of points; the number `memory_size<P>` of values that it carries from step to step, and
+/// ridge parameter; `is_direct`, whether its one step is the whole solution; `size`, how large its kernels may be; the
+/// number `memory_size<P>` of values that it carries from step to step, and
 ///   Step<Real, P> step(model, u, iteration, oracle, memory) const;
 ///   auto weights(model, u) const;   // its weights at u, for the remaining step
 ///
@@ -39,11 +39,18 @@ core::Mask<Real> none() {
   return Real(1.0) < Real(0.0);
 }
 
+/// Speed against the time that kernels take to compile.
+enum class KernelSize {
+  Small,     ///< one register for each value
+  Wide,      ///< two
+  Unrolled,  ///< two, and kernels of their own for the usual numbers of ranges
+};
+
 /// What most methods have in common.
 struct MethodDefaults {
   static constexpr bool has_k = false;
   static constexpr bool is_direct = false;
-  static constexpr bool unrolled = false;
+  static constexpr KernelSize size = KernelSize::Small;
   template <std::size_t P>
   static constexpr std::size_t memory_size = 0;
 };

@@ -68,6 +68,9 @@ class Experiment {
   virtual std::span<const Setting> settings() const = 0;
   virtual const results::Schema& schema() const = 0;
 
+  /// Refuses settings of a cell that cannot stand together: throws core::InputError that says which and why.
+  virtual void check(const Values& cell) const = 0;
+
   /// The end of a template study: a [sweep], [[method]]s and a [[figure]] worth starting from.
   virtual std::string_view example() const = 0;
 

@@ -46,13 +46,15 @@ std::vector<Listed> studies() {
 }  // namespace
 
 const std::vector<std::string>& listing_topics() {
-  static const std::vector<std::string> topics = {"solvers", "k", "noise", "metrics", "experiments", "studies"};
+  static const std::vector<std::string> topics = {"solvers", "k",           "weights", "noise",
+                                                  "metrics", "experiments", "studies"};
   return topics;
 }
 
 std::vector<Listed> list_topic(std::string_view topic) {
   if (topic == "solvers") return entries_of(solvers::solver_registry());
   if (topic == "k") return entries_of(solvers::k_estimator_registry());
+  if (topic == "weights") return entries_of(solvers::weight_registry());
   if (topic == "noise") return entries_of(sim::noise_registry());
   if (topic == "metrics") return metrics();
   if (topic == "experiments") return experiments();

@@ -163,6 +163,13 @@ Plan make_plan(const Study& study, core::Isa isa) {
         fmt::format("{}: sweep.exclude leaves no cell at all; remove one of its tables", study.name));
   }
   for (std::size_t i = 0; i < plan.cells.size(); ++i) plan.cells[i].index = i;
+  for (const Cell& cell : plan.cells) {
+    try {
+      study.experiment->check(cell.values);
+    } catch (const core::InputError& error) {
+      throw core::InputError(fmt::format("{}: {}", study.name, error.what()));
+    }
+  }
   plan.header = make_header(study, plan.cells, isa);
   plan.blocks_per_cell = (study.trials + plan.header.block_trials - 1) / plan.header.block_trials;
   return plan;

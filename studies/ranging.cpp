@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/error.hpp"
 #include "core/problem.hpp"
 #include "core/solution.hpp"
 #include "sim/kernels.hpp"
 #include "solvers/solver.hpp"
 #include "studies/ranging_settings.hpp"
+#include "studies/solver_settings.hpp"
 
 namespace ridgeloc::studies {
 
@@ -17,7 +19,19 @@ namespace {
 constexpr std::string_view scene_label = "scene";
 
 // Columns of the schema, in its order.
-enum Metric : std::size_t { ErrorM, ErrorAllM, Iterations, EtaFirst, EtaLast, EtaMean, ResidualRmsM, CrbM, Gdop };
+enum Metric : std::size_t {
+  ErrorM,
+  ErrorAllM,
+  Iterations,
+  EtaFirst,
+  EtaLast,
+  EtaMean,
+  ResidualRmsM,
+  CrbM,
+  Gdop,
+  Condition,
+  SquaredErrorM2
+};
 
 results::Schema make_schema() {
   results::Schema schema;
@@ -31,6 +45,8 @@ results::Schema make_schema() {
       {"residual_rms_m", "m", "root mean square residual of converged trials", false},
       {"crb_m", "m", "Cramer-Rao bound of the position error", true},
       {"gdop", "1", "geometric dilution of precision", true},
+      {"condition", "1", "condition number of J'J at the truth", true},
+      {"squared_error_m2", "m2", "squared position error of all trials", true},
   };
   for (const std::string_view status : core::status_names) {
     schema.events.push_back({std::string(status), "trials that ended as " + std::string(status)});
@@ -49,7 +65,9 @@ struct Scratch : Workspace {
   core::ProblemBatch problems;
   core::SolutionBatch solutions;
   std::array<std::vector<double>, 3> truth;
+  std::vector<double> image_distance;
   std::vector<double> values;
+  std::vector<double> condition;
   std::vector<std::uint8_t> flags;
 };
 
@@ -59,12 +77,26 @@ class Ranging : public Experiment {
   std::string_view summary() const override {
     return "noisy ranges to objects in a field of view (RRR paper, section 4, Fig. 3)";
   }
-  int version() const override { return 2; }
+  int version() const override { return 3; }
   std::uint64_t block_trials() const override { return 4096; }
   std::span<const Setting> settings() const override { return ranging_settings(); }
   const results::Schema& schema() const override {
     static const results::Schema schema = make_schema();
     return schema;
+  }
+
+  void check(const Values& cell) const override {
+    const RangingCell settings(cell);
+    const auto before_camera = [](const std::array<double, 2>& interval) {
+      return interval[0] > -90.0 && interval[1] < 90.0;
+    };
+    if (settings.has_images &&
+        !(before_camera(settings.view.azimuth_deg) && before_camera(settings.view.elevation_deg))) {
+      throw core::InputError(
+          "scene.model = \"pseudorange\" needs points before the camera: scene.azimuth_deg and scene.elevation_deg "
+          "within "
+          "-90 to 90, ends excluded");
+    }
   }
 
   std::string_view example() const override {
@@ -98,7 +130,7 @@ methods = ["ols", "rr", "rrr"]
   }
 
   std::vector<std::string> settings_of_solver(std::string_view solver) const override {
-    std::vector<std::string> names = {"max_iterations", "step_tolerance_m"};
+    std::vector<std::string> names = common_solver_settings();
     const solvers::SolverEntry* entry = solvers::find_solver(solver);
     if (entry != nullptr) names.insert(names.end(), entry->options.begin(), entry->options.end());
     return names;
@@ -124,6 +156,12 @@ methods = ["ols", "rr", "rrr"]
                          range.first, scratch.problems);
 
     core::Oracle oracle;
+    if (settings.has_images) {
+      scratch.problems.add_images();
+      scratch.image_distance.resize(range.count);
+      scene.take_images(settings.focal_length_mm, scratch.problems, scratch.image_distance);
+      oracle.image_distance = scratch.image_distance;
+    }
     for (std::size_t axis = 0; axis < 3; ++axis) {
       scratch.truth[axis].assign(range.count, sim::true_position_m[axis]);
       oracle.truth[axis] = scratch.truth[axis];
@@ -133,14 +171,17 @@ methods = ["ols", "rr", "rrr"]
     oracle.first_trial = range.first;
 
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      const solvers::SolverOptions options = solver_options(cell.values, methods[m].given);
+      solvers::SolverOptions options = solver_options(cell.values, methods[m].given);
+      options.z_mode = settings.z_mode;
       const solvers::Solver solve = solvers::find_solver(methods[m].solver)->kernel(scratch.isa);
       solve(scratch.problems, options, &oracle, scratch.solutions);
       const auto read = settings_of_solver(methods[m].solver);
       const bool reads_k = std::ranges::find(read, "k") != read.end();
       report_method(m, options, reads_k, scratch, sink);
     }
-    report_scene(methods.size(), settings, scratch, sink);
+    solvers::SolverOptions shared = solver_options(cell.values, {});
+    shared.z_mode = settings.z_mode;
+    report_scene(methods.size(), settings, shared, oracle, scratch, sink);
   }
 
  private:
@@ -180,6 +221,10 @@ methods = ["ols", "rr", "rrr"]
       const double e = error(t);
       return std::isfinite(e) ? e : std::numeric_limits<double>::infinity();
     });
+    report(m, SquaredErrorM2, scratch, sink, [&](std::size_t t) {
+      const double e = error(t);
+      return std::isfinite(e) ? e * e : std::numeric_limits<double>::infinity();
+    });
     report(m, Iterations, scratch, sink,
            [&](std::size_t t) { return converged(t) ? s.iterations[t] : static_cast<double>(options.max_iterations); });
     if (reads_k) {
@@ -191,10 +236,13 @@ methods = ["ols", "rr", "rrr"]
            [&](std::size_t t) { return converged(t) ? s.residual_rms_m[t] : not_in_population; });
   }
 
-  static void report_scene(std::size_t label, const RangingCell& settings, Scratch& scratch, results::BlockSink& sink) {
+  static void report_scene(std::size_t label, const RangingCell& settings, const solvers::SolverOptions& options,
+                           const core::Oracle& oracle, Scratch& scratch, results::BlockSink& sink) {
     scratch.values.resize(scratch.problems.trials());
-    solvers::dilution_kernel(scratch.isa)(scratch.problems, sim::true_position_m, scratch.values);
+    scratch.condition.resize(scratch.problems.trials());
+    solvers::geometry_kernel(scratch.isa)(scratch.problems, options, oracle, scratch.values, scratch.condition);
     sink.metric(label, Gdop, scratch.values);
+    sink.metric(label, Condition, scratch.condition);
     for (double& value : scratch.values) value = std::isinf(value) ? value : value * settings.range_sigma_m;
     sink.metric(label, CrbM, scratch.values);
   }

@@ -1,8 +1,10 @@
 #include "studies/ranging_settings.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
-#include "solvers/solver.hpp"
+#include "studies/solver_settings.hpp"
 
 namespace ridgeloc::studies {
 
@@ -21,6 +23,13 @@ std::vector<std::string> names_of(const Registry& registry) {
 }
 
 constexpr std::array<std::string_view, 2> score_names = {"none", "random"};
+constexpr std::array<std::string_view, 2> measurement_names = {"range", "pseudorange"};
+constexpr std::array<std::string_view, 2> camera_names = {"given", "iphone6"};
+constexpr std::array<std::string_view, 2> off_on = {"off", "on"};
+
+/// The rear camera of an iPhone 6: 61.1 x 47.7 degrees.
+constexpr Interval iphone6_azimuth_deg = {-30.55, 30.55};
+constexpr Interval iphone6_elevation_deg = {-23.85, 23.85};
 
 /// The noise models that read a setting.
 Condition read_by_noise(std::string_view setting) {
@@ -35,9 +44,11 @@ std::vector<Setting> make_settings() {
   const sim::FieldOfView view;
   const sim::NoiseOptions noise;
   const Condition with_scores{"scores", {"random"}};
-  const solvers::SolverOptions solver;
+  const Condition for_pseudoranges{"model", {"pseudorange"}};
   const auto integer = [](std::int64_t v) { return Value(v); };
-  return {
+  std::vector<Setting> settings = {
+      {"scene", "model", Kind::Choice, std::string("range"), 0, 0, strings(measurement_names), "1",
+       "what is measured: ranges, or pseudoranges in a photo with unknown image distance", false},
       {"scene", "points", Kind::Integer, integer(5), 3, 1000, {}, "1", "number of points", false},
       {"scene",
        "azimuth_deg",
@@ -82,6 +93,21 @@ std::vector<Setting> make_settings() {
        "m",
        "distance of the start from the truth, in a random direction",
        false},
+      {"scene", "camera", Kind::Choice, std::string("given"), 0, 0, strings(camera_names), "1",
+       "field of view: as given, or that of an iPhone 6 (61.1 x 47.7 degrees)", false},
+      {"scene", "z_mode", Kind::Choice, std::string("free"), 0, 0, strings(solvers::z_mode_names), "1",
+       "height of the camera: an unknown, or known", false, for_pseudoranges},
+      {"scene",
+       "focal_length_mm",
+       Kind::Real,
+       4.15,
+       0.1,
+       1000,
+       {},
+       "mm",
+       "focal length of the lens",
+       false,
+       for_pseudoranges},
       {"noise", "noise_model", Kind::Choice, std::string("normal"), 0, 0, names_of(sim::noise_registry()), "1",
        "distribution of the range errors", false},
       {"noise",
@@ -95,6 +121,8 @@ std::vector<Setting> make_settings() {
        "standard deviation of the range errors; contaminated: of the good ones, proportional: at reference_depth_m, "
        "empirical: root mean square",
        false},
+      {"noise", "noise_is_variance", Kind::Choice, std::string("off"), 0, 0, strings(off_on), "1",
+       "read range_sigma_m as a variance (m^2)", false},
       {"noise",
        "noise_dof",
        Kind::Real,
@@ -164,58 +192,9 @@ std::vector<Setting> make_settings() {
        "errors are proportional to score to this power; at 0 scores say nothing",
        false,
        with_scores},
-      {"solver",
-       "max_iterations",
-       Kind::Integer,
-       integer(solver.max_iterations),
-       1,
-       1'000'000,
-       {},
-       "1",
-       "steps after which a trial has failed",
-       true},
-      {"solver",
-       "step_tolerance_m",
-       Kind::Real,
-       solver.step_tolerance_m,
-       1e-15,
-       1e3,
-       {},
-       "m",
-       "converged when a step is shorter",
-       true},
-      {"solver", "k", Kind::Choice, std::string("kibria_gm"), 0, 0, names_of(solvers::k_estimator_registry()), "1",
-       "estimator of the ridge parameter K", true},
-      {"solver", "k_fixed", Kind::Real, solver.k_fixed, 0, 1e12, {}, "1", "the constant of k = \"fixed\"", true},
-      {"solver",
-       "similarity",
-       Kind::Real,
-       solver.similarity,
-       1e-6,
-       1,
-       {},
-       "1",
-       "similarity of the oracles' K to the true K",
-       true},
-      {"solver", "k_error", Kind::Choice, std::string("signed"), 0, 0, strings(solvers::k_error_names), "1",
-       "signs of the error that brings the oracles' K to that similarity", true},
-      {"solver", "k_error_draw", Kind::Choice, std::string("per_iteration"), 0, 0, strings(solvers::k_error_draw_names),
-       "1", "how often the direction of that error is drawn", true},
-      {"solver", "ktrue", Kind::Choice, std::string("elem"), 0, 0, strings(solvers::k_true_names), "1",
-       "true K that eta refers to: by component, or their geometric mean", true},
-      {"solver", "eta", Kind::Choice, std::string("squared"), 0, 0, strings(solvers::eta_names), "1",
-       "distance in eta: root of the sum of squares, or of the absolute sum as printed", true},
-      {"solver",
-       "theta_m",
-       Kind::Real,
-       solver.theta_m,
-       1e-12,
-       1e6,
-       {},
-       "m",
-       "robust weights s / max(theta, |e|)",
-       true},
   };
+  std::ranges::move(solver_settings(), std::back_inserter(settings));
+  return settings;
 }
 
 template <class T>
@@ -244,7 +223,16 @@ RangingCell::RangingCell(const Values& values)
   view.depth_m = get<Interval>(values, "depth_m");
   view.depth_distribution =
       choice<sim::DepthDistribution>(get<std::string>(values, "depth_distribution"), sim::depth_distribution_names);
+  if (get<std::string>(values, "camera") == "iphone6") {
+    view.azimuth_deg = iphone6_azimuth_deg;
+    view.elevation_deg = iphone6_elevation_deg;
+  }
   view.start_offset_m = get<double>(values, "start_offset_m");
+  has_images = get<std::string>(values, "model") == "pseudorange";
+  z_mode = choice<solvers::ZMode>(get<std::string>(values, "z_mode"), solvers::z_mode_names);
+  view.start_at_height = has_images && z_mode == solvers::ZMode::Fixed;
+  focal_length_mm = get<double>(values, "focal_length_mm");
+  if (get<std::string>(values, "noise_is_variance") == "on") range_sigma_m = std::sqrt(range_sigma_m);
   noise = sim::find_noise(get<std::string>(values, "noise_model"));
   noise_options.range_sigma_m = range_sigma_m;
   noise_options.dof = get<double>(values, "noise_dof");
@@ -256,25 +244,6 @@ RangingCell::RangingCell(const Values& values)
   noise_options.score.low = get<double>(values, "score_low");
   noise_options.score.error_exponent = get<double>(values, "score_error_exponent");
   has_scores = get<std::string>(values, "scores") == "random";
-}
-
-solvers::SolverOptions solver_options(const Values& cell, const Values& given) {
-  const auto value = [&]<class T>(std::string_view name, T) -> const T& {
-    return given.contains(name) ? get<T>(given, name) : get<T>(cell, name);
-  };
-  const std::string text;
-  solvers::SolverOptions options;
-  options.max_iterations = static_cast<int>(value("max_iterations", std::int64_t{}));
-  options.step_tolerance_m = value("step_tolerance_m", 0.0);
-  options.theta_m = value("theta_m", 0.0);
-  options.k = *solvers::find_k_estimator(value("k", text));
-  options.k_fixed = value("k_fixed", 0.0);
-  options.similarity = value("similarity", 0.0);
-  options.k_error = choice<solvers::KError>(value("k_error", text), solvers::k_error_names);
-  options.k_error_draw = choice<solvers::KErrorDraw>(value("k_error_draw", text), solvers::k_error_draw_names);
-  options.k_true = choice<solvers::KTrue>(value("ktrue", text), solvers::k_true_names);
-  options.eta = choice<solvers::Eta>(value("eta", text), solvers::eta_names);
-  return options;
 }
 
 }  // namespace ridgeloc::studies

@@ -19,12 +19,12 @@ struct RangingCell {
   std::size_t points;
   sim::FieldOfView view;
   const sim::NoiseEntry* noise;
-  double range_sigma_m;
+  double range_sigma_m;             ///< a standard deviation
   sim::NoiseOptions noise_options;  ///< refers to the samples among the values
   bool has_scores;
+  bool has_images;  ///< pseudoranges
+  solvers::ZMode z_mode;
+  double focal_length_mm;
 };
-
-/// What a method's own settings, and where it has none the cell's, say about its solver.
-solvers::SolverOptions solver_options(const Values& cell, const Values& given);
 
 }  // namespace ridgeloc::studies

@@ -37,7 +37,7 @@ std::vector<std::span<const double>> columns(const core::ProblemBatch& problems)
 }  // namespace
 
 TEST_CASE("the baseline draws the bits of the double path, others the same to rounding") {
-  const sim::Kernels reference = {sim::place_objects<double>, sim::draw_scores<double>, sim::measure_ranges<double>};
+  const sim::Kernels reference = sim::kernels_over<double>();
   for (const std::size_t trials : {1, 7, 8, 9, 15, 16, 17, 33, 500}) {
     const auto expected = draw(reference, 40, trials);
     for (const core::Isa isa : {core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512}) {

@@ -23,7 +23,7 @@ inline sim::NoiseOptions noise_options(double range_sigma_m = 1.0) {
 
 /// The kernels as templates over double.
 inline sim::Kernels double_path() {
-  return {sim::place_objects<double>, sim::draw_scores<double>, sim::measure_ranges<double>};
+  return sim::kernels_over<double>();
 }
 
 /// Which trials of what to draw.

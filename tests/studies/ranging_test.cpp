@@ -1,5 +1,5 @@
 #include "studies/ranging.hpp"
-#include "solvers/dilution.hpp"
+#include "solvers/geometry.hpp"
 
 #include <cmath>
 
@@ -39,9 +39,15 @@ TEST_CASE("the dilution of precision is that of the geometry") {
     }
   }
   std::vector<double> gdop(2);
-  solvers::dilution_of_precision(p, {0, 0, 0}, gdop);
+  std::vector<double> condition(2);
+  const std::vector<double> origin(2, 0.0);
+  core::Oracle oracle;
+  for (auto& axis : oracle.truth) axis = origin;
+  solvers::geometry_of(p, {}, oracle, gdop, condition);
   CHECK(gdop[0] == Approx(std::sqrt(3.0)));  // J'J = I
+  CHECK(condition[0] == Approx(1.0));
   CHECK(std::isinf(gdop[1]));
+  CHECK(std::isinf(condition[1]));
 }
 
 TEST_CASE("numbers of the experiment change only with its version") {
@@ -70,10 +76,10 @@ solver = "rrr"
 k = "oracle_gm"
 similarity = 0.8
 )",
-             {0xfc7aebbfef238d3b, 0xfb978d3b15c0e8d4, 0xd6e3ba06a73db306, 0x79780c120a34f00, 0x31539185e6ab1791,
-              0x9bffdfa1c7cae081},
-             {0x5322dd556da5b2c3, 0x28ff2dd587f78723, 0x4816728f45af3007, 0x96ff523231f34f85, 0xe35afbabfe4297f1,
-              0x5674d1691aff708c}},
+             {0x3073cc9c629f75d5, 0x760393f19009d8cc, 0x3ea204435c6e27c7, 0x7da8a546680dbcf, 0xbc8a3c13f5108b09,
+              0xd2684ff90e725d90},
+             {0x66ee7af24b5515a1, 0x95c7c3103bd71888, 0xb783743736b2d8f2, 0xcf75de2c84456fc6, 0x524532bffe666a3b,
+              0xde744d16eab6c4f2}},
       Golden{R"(
 experiment = "ranging"
 seed = 7
@@ -109,8 +115,8 @@ solver = "rrr"
 k = "fixed"
 k_fixed = 0.3
 )",
-             {0xc8e7c015983d2123, 0xbe8aaaaaf7e515cb, 0x4d0d99c6ab41e707, 0x3ba0a2bf837d0373, 0x7749de8656a2ed05},
-             {0xc1e854abbaeacb74, 0xdf053421c81f7a1b, 0xb6f5f47aec4cced0, 0x78bf90dd996873d7, 0xb15e517a1fb1970d}},
+             {0xf13e32c9086d7732, 0xfaa735825af487c1, 0x43cd02eec0290d6e, 0x964ff6696a426213, 0x31e50b8206d963f6},
+             {0xbe019804ce8e69d, 0x1c7fe4d683f7c795, 0x23ebc80b17220297, 0x8c9a0676409f09e4, 0x390323d34a16b9c5}},
       Golden{R"(
 experiment = "ranging"
 [noise]
@@ -120,8 +126,8 @@ scores = "random"
 [[method]]
 solver = "ols"
 )",
-             {0x174b82dcc166fec4, 0x9bffdfa1c7cae081},
-             {0x27b0f4c7b151983a, 0x5674d1691aff708c}},
+             {0xedc6419bd7173ca2, 0xd2684ff90e725d90},
+             {0x1b34bbce3283ecac, 0xde744d16eab6c4f2}},
       Golden{R"(
 experiment = "ranging"
 [noise]
@@ -131,8 +137,8 @@ outlier_size = 7
 [[method]]
 solver = "ols"
 )",
-             {0x4d2f344a367706c6, 0x9bffdfa1c7cae081},
-             {0x6fd3d94f804bc969, 0x5674d1691aff708c}},
+             {0x5b504e66fc4a2e33, 0xd2684ff90e725d90},
+             {0x56d0af7351432850, 0xde744d16eab6c4f2}},
       Golden{R"(
 experiment = "ranging"
 [noise]
@@ -144,8 +150,8 @@ score_error_exponent = 0.7
 [[method]]
 solver = "ols"
 )",
-             {0xae0b0d39a317bace, 0x9bffdfa1c7cae081},
-             {0x69706cfe0ad3447, 0x5674d1691aff708c}},
+             {0x713ca2aac787c27b, 0xd2684ff90e725d90},
+             {0x3e8b00789eb04877, 0xde744d16eab6c4f2}},
       Golden{R"(
 experiment = "ranging"
 [noise]
@@ -154,10 +160,10 @@ noise_samples = [-2.0, 0.25, 0.5, 1.0, 3.0]
 [[method]]
 solver = "ols"
 )",
-             {0x254cff009d56d497, 0x9bffdfa1c7cae081},
-             {0x800751dbebbf7e4b, 0x5674d1691aff708c}});
+             {0xa82e904367f1dc50, 0xd2684ff90e725d90},
+             {0x48b31dfbdaddc049, 0xde744d16eab6c4f2}});
   const Study study = read_study({"golden", "golden.toml", golden.study}, std::vector<std::string>{"trials=4096"});
-  REQUIRE(study.experiment->version() == 2);
+  REQUIRE(study.experiment->version() == 3);
   for (const core::Isa isa : {core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512}) {
     if (!core::is_supported(isa)) continue;
     const auto rows = first_block(study, isa);
