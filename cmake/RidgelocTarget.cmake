@@ -30,7 +30,8 @@ endfunction()
 
 # ridgeloc_simd_kernels(TARGET SOURCE): compiles SOURCE into TARGET once per instruction set. Such a source
 # instantiates kernels over the packs of core/pack.hpp and nothing else: what it shared with ordinary code would run
-# instructions that the processor may not have. Optimized in every build type, so that all of it is inlined.
+# instructions that the processor may not have. Optimized in every build type, so that all of it is inlined; but for
+# sanitizers, whose checks keep compilers busy for many minutes in functions of this size.
 function(ridgeloc_simd_kernels target source)
   # The architecture first, so that flags which a user gives for the whole build do not change what a baseline is.
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
@@ -55,7 +56,7 @@ function(ridgeloc_simd_kernels target source)
     target_include_directories(${objects} PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
     ridgeloc_configure(${objects})
     target_link_libraries(${objects} PRIVATE ridgeloc::core)
-    target_compile_options(${objects} PRIVATE -O3 ${flags_${isa}})
+    target_compile_options(${objects} PRIVATE $<IF:$<BOOL:${RIDGELOC_SANITIZE}>,-O0,-O3> ${flags_${isa}})
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
     set_property(GLOBAL APPEND PROPERTY RIDGELOC_SIMD_OBJECTS $<TARGET_OBJECTS:${objects}>)
   endforeach()
