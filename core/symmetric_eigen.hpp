@@ -56,9 +56,9 @@ template <std::size_t p, std::size_t q, class Real, std::size_t P>
 /// Eigenvalues and eigenvectors by Jacobi's method: rotations in the planes (0, 1), (0, 2), ... in turn, each of which
 /// brings one element to zero, until every |a_ij| <= eps sqrt(|a_ii a_jj|). Positive definite matrices come out to high
 /// relative accuracy, small eigenvalues included (Demmel and Veselic 1992). Lanes that are done rotate by nothing, so
-/// that a lane does not depend on the others; matrices that are not finite end after `most_sweeps`.
+/// that a lane does not depend on the others; matrices that are not finite end after `most_sweeps`. Large, so never inlined.
 template <class Real, std::size_t P>
-SymmetricEigen<Real, P> symmetric_eigen(Symmetric<Real, P> a) {
+[[gnu::noinline]] SymmetricEigen<Real, P> symmetric_eigen(Symmetric<Real, P> a) {
   constexpr int most_sweeps = 12;
   SymmetricEigen<Real, P> out;
   out.vectors = make_vector<P>([](auto i) { return make_vector<P>([i](auto j) { return Real(i == j ? 1.0 : 0.0); }); });

@@ -93,9 +93,8 @@ class Ranging : public Experiment {
     if (settings.has_images &&
         !(before_camera(settings.view.azimuth_deg) && before_camera(settings.view.elevation_deg))) {
       throw core::InputError(
-          "scene.model = \"pseudorange\" needs points before the camera: scene.azimuth_deg and scene.elevation_deg "
-          "within "
-          "-90 to 90, ends excluded");
+          "scene.model = \"pseudorange\" needs points before the camera: "
+          "scene.azimuth_deg and scene.elevation_deg within -90 to 90, ends excluded");
     }
   }
 
