@@ -15,7 +15,7 @@
 
 namespace ridgeloc::solvers {
 
-/// Method I of `Methods`/// Solver I of `Methods` over a number type.
+/// Solver I of `Methods` over a number type.
 template <class Real, std::size_t I>
 void solve(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
            core::SolutionBatch& out) {
