@@ -161,8 +161,8 @@ template <class Real>
   return {c, determinant, is_singular(a, determinant)};
 }
 
-/// A = L D L', L with a unit diagonal. Exact zeros among leading minors make it infinite: an indefinite matrix may be
-/// lost although it is regular, a definite one never is.
+/// A = L D L', L with a unit diagonal. An exact zero among leading minors makes it singular: an indefinite matrix may
+/// be lost although it is regular, a definite one never is.
 template <class Real, std::size_t P>
 struct Factorization {
   Symmetric<Real, P> unit_upper;  ///< L' above the diagonal
@@ -177,7 +177,8 @@ template <class Real, std::size_t P>
   Real determinant(1.0);
   unroll<P>([&](auto k) {
     determinant = determinant * rest(k, k);
-    f.inverse_pivot[k] = reciprocal(rest(k, k));
+    // The inverse of zero would turn the determinant, which is zero, into NaN.
+    f.inverse_pivot[k] = select(abs(rest(k, k)) <= Real(0.0), Real(0.0), reciprocal(rest(k, k)));
     unroll<P - k - 1>([&](auto m) {
       constexpr std::size_t i = k + 1 + m;
       const Real factor = rest(k, i) * f.inverse_pivot[k];

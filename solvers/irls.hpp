@@ -37,7 +37,7 @@ struct StoredWeights {
 ///
 /// Few observations need care: weights are at least 0.01, and where their sum c, the number of observations that they
 /// amount to, is below the number p of unknowns, all are drawn towards 1, w + (1 - w)(p - c) / (n - c), until it is p.
-/// With n = p all weights are 1.
+/// With n <= p all weights are 1.
 struct Reweighting : MethodDefaults {
   const SolverOptions& options;
 
@@ -63,7 +63,8 @@ struct Reweighting : MethodDefaults {
     });
     const Real needed(static_cast<double>(Model::unknowns));
     const Real all(static_cast<double>(n));
-    const Real lift = core::select(sum < needed, (needed - sum) * core::reciprocal(all - sum), Real(0.0));
+    const Real part = (needed - sum) * core::reciprocal(all - sum);
+    const Real lift = core::select(sum < needed, core::select(part < Real(1.0), part, Real(1.0)), Real(0.0));
     for (std::size_t j = 0; j < n; ++j) {
       const Real w = core::load<Real>(sizes + j * lanes);
       core::store(sizes + j * lanes, core::mul_add(lift, Real(1.0) - w, w));

@@ -27,13 +27,13 @@ template <class Real, std::size_t P>
 struct KContext {
   NormalEquations<Real, P> least_squares;  ///< at u_k (only where `needs_ols_step`, and so are the next five)
   core::Vector<Real, P> ols_step;          ///< dx_ls: the least-squares step at u_k
-  Real squares;                            ///< e'We at u_k (only where `needs_squares`)
+  Real squares;                            ///< e'We at u_k, with what is known of v (only where `needs_squares`)
   Real sigma2;                             ///< variance of a residual of weight 1, as options.sigma2_source says
   core::Vector<Real, P> alpha;             ///< dx_ls in the coordinates of K: the unknowns', or Q'dx_ls
   core::Vector<Real, P> eigenvalues;       ///< of J'WJ = Q diag(l) Q', where K is in canonical coordinates
   core::Vector<Real, P> u;                 ///< iterate u_k
   Real iteration;                          ///< steps taken before this one: differs between lanes
-  std::size_t points;
+  std::size_t observations;                ///< points, and one more where something is known of v
   const TrialOracle<Real, P>* oracle;
   const SolverOptions& options;
 };

@@ -71,7 +71,7 @@ struct GeneralizedCrossValidation : KDefaults {
         : eigenvalues(c.eigenvalues),
           fitted(core::make_vector<P>([&](auto i) { return c.eigenvalues[i] * c.alpha[i] * c.alpha[i]; })),
           rest(core::max(c.squares - sum(fitted), Real(0.0))),
-          freedom(static_cast<double>(c.points) - static_cast<double>(P)) {}
+          freedom(static_cast<double>(c.observations) - static_cast<double>(P)) {}
 
     Real operator()(const Real& unit, const Real& decade) const {
       const Real k = unit * power_of_ten(decade);

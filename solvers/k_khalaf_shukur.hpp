@@ -16,7 +16,7 @@ struct KhalafShukur : KDefaults {
   template <class Real, std::size_t P>
   core::Vector<Real, P> operator()(const KContext<Real, P>& c) const {
     const Real l = largest(c.eigenvalues);
-    const Real freedom(static_cast<double>(c.points) - static_cast<double>(P));
+    const Real freedom(static_cast<double>(c.observations) - static_cast<double>(P));
     return every<P>(l * c.sigma2 * core::reciprocal(core::mul_add(freedom, c.sigma2, l * largest(squared_alpha(c)))));
   }
 };

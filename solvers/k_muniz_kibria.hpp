@@ -9,17 +9,22 @@ namespace ridgeloc::solvers {
 
 /// m_i = sqrt(sigma2 / alpha_i^2) and its inverse, from which five estimators of one k are made (Muniz and Kibria 2009;
 /// their numbers). Meant for standardized columns: the values of m and 1 / m compare only if columns of J have norms
-/// near 1, as those of ranges have up to the number of points.
+/// near 1, as those of ranges have up to the number of points. sigma counts as 1e-9 m at least, as lengths do, so that
+/// ranges without noise do not send 1 / m to infinity.
+template <class Real, std::size_t P>
+Real floored_variance(const KContext<Real, P>& c) {
+  return core::max(c.sigma2, Real(k_length_floor_m * k_length_floor_m));
+}
 template <class Real, std::size_t P>
 core::Vector<Real, P> muniz_kibria(const KContext<Real, P>& c) {
   const core::Vector<Real, P> squared = squared_alpha(c);
-  const Real deviation = core::sqrt(c.sigma2);
+  const Real deviation = core::sqrt(floored_variance(c));
   return core::make_vector<P>([&](auto i) { return deviation * core::root_and_inverse(squared[i]).inverse; });
 }
 template <class Real, std::size_t P>
 core::Vector<Real, P> inverse_muniz_kibria(const KContext<Real, P>& c) {
   const core::Vector<Real, P> squared = squared_alpha(c);
-  const Real inverse = core::root_and_inverse(c.sigma2).inverse;
+  const Real inverse = core::root_and_inverse(floored_variance(c)).inverse;
   return core::make_vector<P>([&](auto i) { return core::sqrt(squared[i]) * inverse; });
 }
 

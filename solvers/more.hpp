@@ -13,9 +13,9 @@ namespace ridgeloc::solvers {
 /// follows the ratio of actual to predicted reduction: below 1/4 it shrinks, from 3/4 on it becomes 2 |D dx|; below
 /// 1e-4 the step is rejected. W = diag(s^2).
 struct More : MethodDefaults {
-  /// delta, the damping mu, D.
+  /// delta, the damping mu, whether a step has been accepted yet, D^2.
   template <std::size_t P>
-  static constexpr std::size_t memory_size = P + 2;
+  static constexpr std::size_t memory_size = P + 3;
 
   const SolverOptions& options;
 
@@ -28,7 +28,7 @@ struct More : MethodDefaults {
 
   template <class Model, class Vector, class Real, class Oracle>
   Step<Real, Model::unknowns> step(const Model& model, const Vector& u, const Real& iteration, const Oracle*,
-                                   Memory<Real, Model::unknowns + 2>& memory) const {
+                                   Memory<Real, Model::unknowns + 3>& memory) const {
     using core::select;
     constexpr std::size_t P = Model::unknowns;
     const Real zero(0.0);
@@ -40,7 +40,7 @@ struct More : MethodDefaults {
     const core::Mask<Real> first = iteration < Real(0.5);
     const Vector squared_scale = core::make_vector<P>([&](auto i) {
       const Real norm = equations.matrix(i, i);
-      const Real before = select(first, select(norm > zero, norm, one), memory[2 + i]);
+      const Real before = select(first, select(norm > zero, norm, one), memory[3 + i]);
       return core::max(before, norm);
     });
     const auto scaled_length = [&](const Vector& a) {
@@ -51,9 +51,10 @@ struct More : MethodDefaults {
     const Real reach = Real(100.0) * scaled_length(u);
     Real delta = select(first, select(reach > zero, reach, Real(100.0)), memory[0]);
 
-    const Damping<Real, P> damping = damping_for(equations, squared_scale, scaled_length, delta, memory[1], first);
+    const Damping<Real, P> damping = damping_for(equations, squared_scale, scaled_length, delta, memory[1]);
     const Real length = scaled_length(damping.du);
-    delta = select(first & (length < delta), length, delta);
+    const core::Mask<Real> unmoved = memory[2] < Real(0.5);
+    delta = select(unmoved & (length < delta), length, delta);
 
     // Reductions are relative to the cost: predicted |J dx|^2 + 2 mu |D dx|^2, actual by differences of residuals.
     const Real inverse_cost = core::reciprocal(cost);
@@ -77,10 +78,11 @@ struct More : MethodDefaults {
 
     memory[0] = delta;
     memory[1] = mu;
-    core::unroll<P>([&](auto i) { memory[2 + i] = squared_scale[i]; });
+    core::unroll<P>([&](auto i) { memory[3 + i] = squared_scale[i]; });
     // At a minimum nothing can be gained any more and the ratio means nothing: steps that are lost in rounding pass. A
     // comparison with NaN is false, so a step that is not a number passes too, and ends as "non_finite".
     const core::Mask<Real> rejected = (ratio < Real(1e-4)) & (predicted > Real(1e-15));
+    memory[2] = select(rejected, memory[2], one);
     return {core::select<Real>(rejected, every<P>(zero), damping.du), damping.singular, !rejected, {}};
   }
 
@@ -92,22 +94,31 @@ struct More : MethodDefaults {
     core::Mask<Real> singular;
   };
 
-  /// mu such that |D du| is within a tenth of delta, or 0 if the Gauss-Newton step is short enough: at most ten Newton
-  /// steps on 1 / |D du|, held within bounds.
+  /// MINPACK's lmpar: mu such that |D du| is within a tenth of delta, or 0 if the Gauss-Newton step is short enough; at
+  /// most ten Newton steps on 1 / |D du|, held within bounds. Where J'WJ is singular, lmpar takes the basic solution of
+  /// its pivoted QR for the Gauss-Newton step; there is none here, and the search begins at a thousandth of the bound.
   template <class Real, std::size_t P, class Length>
   static Damping<Real, P> damping_for(const NormalEquations<Real, P>& equations,
                                       const core::Vector<Real, P>& squared_scale, const Length& scaled_length,
-                                      const Real& delta, const Real& previous, const core::Mask<Real>& first) {
+                                      const Real& delta, const Real& previous) {
     using core::select;
     constexpr int most_steps = 10;
     const Real zero(0.0);
-    const auto solve_with = [&](const Real& mu) {
-      return core::solve(core::add_diagonal(equations.matrix, core::scale(mu, squared_scale)), equations.gradient);
+    const auto damped = [&](const Real& mu) {
+      return core::add_diagonal(equations.matrix, core::scale(mu, squared_scale));
+    };
+    // The Newton step from mu, where du has the length delta + excess. The derivative of |D du| by mu is -|D du| q,
+    // q = z'(H + mu D^2)^-1 z, z = D^2 du / |D du|.
+    const auto newton = [&](const auto& matrix, const auto& du, const Real& length, const Real& excess) {
+      const Real inverse_length = core::reciprocal(length);
+      const auto z = core::make_vector<P>([&](auto k) { return squared_scale[k] * du[k] * inverse_length; });
+      return excess * core::reciprocal(delta * core::dot(z, core::solve(matrix, z).x));
     };
     const auto undamped = core::solve(equations.matrix, equations.gradient);
     const Real undamped_length = scaled_length(undamped.x);
+    const Real undamped_excess = undamped_length - delta;
     const Real tolerance = Real(0.1) * delta;
-    const core::Mask<Real> enough = (!undamped.singular) & (undamped_length - delta <= tolerance);
+    const core::Mask<Real> enough = (!undamped.singular) & (undamped_excess <= tolerance);
     Damping<Real, P> out{undamped.x, zero, none<Real>()};
     core::Mask<Real> searching = !enough;
     if (!core::any(searching)) return out;
@@ -118,28 +129,33 @@ struct More : MethodDefaults {
                                       gradient_length);
     });
     gradient_length = core::sqrt(gradient_length);
-    Real lower = zero;
+    Real lower =
+        select(undamped.singular, zero, newton(equations.matrix, undamped.x, undamped_length, undamped_excess));
     Real upper = gradient_length * core::reciprocal(delta);
-    const Real guess = select(first | (previous <= zero), Real(1e-3) * upper, previous);
-    Real mu = select(upper < guess, upper, guess);
+    Real mu = core::max(previous, lower);
+    mu = select(upper < mu, upper, mu);
+    const Real guess =
+        select(undamped.singular, Real(1e-3) * upper, gradient_length * core::reciprocal(undamped_length));
+    mu = select(mu <= zero, guess, mu);
+    Real excess_before = zero;
     for (int i = 0; i < most_steps && core::any(searching); ++i) {
       mu = select(mu <= zero, Real(1e-3) * upper, mu);
-      const auto solution = solve_with(mu);
+      const auto matrix = damped(mu);
+      const auto solution = core::solve(matrix, equations.gradient);
       const Real length = scaled_length(solution.x);
       const Real excess = length - delta;
       out.du = core::select<Real>(searching, solution.x, out.du);
       out.mu = select(searching, mu, out.mu);
       out.singular = (searching & solution.singular) | (out.singular & !searching);
-      searching = searching & (core::abs(excess) > tolerance);
-      // The derivative of |D du| by mu is -|D du| q, q = z'(H + mu D^2)^-1 z, z = D^2 du / |D du|.
-      const Real inverse_length = core::reciprocal(length);
-      const auto z = core::make_vector<P>([&](auto k) { return squared_scale[k] * solution.x[k] * inverse_length; });
-      const Real q =
-          core::dot(z, core::solve(core::add_diagonal(equations.matrix, core::scale(mu, squared_scale)), z).x);
+      // Without a lower bound, less damping may no longer lengthen the step: the gradient has no part along what J'WJ
+      // does not see.
+      const core::Mask<Real> hopeless = (lower <= zero) & (excess <= excess_before) & (excess_before < zero);
+      searching = searching & (core::abs(excess) > tolerance) & !hopeless;
       lower = select((excess > zero) & (mu > lower), mu, lower);
       upper = select((excess < zero) & (mu < upper), mu, upper);
-      const Real next = mu + excess * core::reciprocal(delta * q);
+      const Real next = mu + newton(matrix, solution.x, length, excess);
       mu = select(searching, core::max(lower, next), mu);
+      excess_before = excess;
     }
     return out;
   }

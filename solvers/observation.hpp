@@ -14,7 +14,8 @@
 ///   squared_move(du)               |step of the position|^2 (m^2)
 ///   always_in_domain, in_domain(u) where residuals are defined
 ///   lifted(j), unlifted(y), possible(y)  the squared equation, linear in y: see solvers/closed_form.hpp
-///   add_prior(u, factor, equations), prior_change(u, du)  what is known of v, as an observation of its own
+///   add_prior(u, factor, equations), prior_change(u, du), prior_squares(u)  what is known of v, as one more
+///   observation observations()                 how many there are with that
 namespace ridgeloc::solvers {
 
 /// A number of points that is known only when the program runs.

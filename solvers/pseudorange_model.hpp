@@ -37,7 +37,7 @@ class PseudorangeModel {
     inverse_scale_ = core::make_vector<unknowns>([](auto) { return Real(1.0); });
     scale_ = inverse_scale_;
     if (options.column_scale == ColumnScale::Norms) scale_columns();
-    if (FreeDistance && options.v_mode == VMode::Prior) {
+    if (has_prior()) {
       const Real deviation = Real(image_distance_prior) * start_distance_;
       prior_weight_ = Real(options.sigma_prior_m * options.sigma_prior_m) * core::reciprocal(deviation * deviation);
     }
@@ -175,7 +175,7 @@ class PseudorangeModel {
   /// weight 1; `factor` is what ranges with small residuals weigh.
   void add_prior(const Vector& u, double factor, NormalEquations<Real, unknowns>& equations) const {
     if constexpr (FreeDistance) {
-      if (options_.v_mode != VMode::Prior) return;
+      if (!has_prior()) return;
       constexpr std::size_t last = unknowns - 1;
       const Real weighted = Real(factor) * prior_weight_ * inverse_scale_[last];
       equations.matrix(last, last) = core::mul_add(weighted, inverse_scale_[last], equations.matrix(last, last));
@@ -185,13 +185,20 @@ class PseudorangeModel {
 
   /// How much the step u <- u - du changes the squared and weighted residual of the prior.
   Real prior_change(const Vector& u, const Vector& du) const {
-    if (!FreeDistance || options_.v_mode != VMode::Prior) return Real(0.0);
+    if (!has_prior()) return Real(0.0);
     const Real change = -du[unknowns - 1] * inverse_scale_[unknowns - 1];
     const Real before = image_distance(u) - start_distance_;
     return prior_weight_ * change * core::mul_add(Real(2.0), before, change);
   }
 
+  Real prior_squares(const Vector& u) const {
+    const Real error = image_distance(u) - start_distance_;
+    return has_prior() ? prior_weight_ * error * error : Real(0.0);
+  }
+  std::size_t observations() const { return points() + (has_prior() ? 1 : 0); }
+
  private:
+  bool has_prior() const { return FreeDistance && options_.v_mode == VMode::Prior; }
   Real load(std::span<const double> column) const { return core::load<Real>(column.data() + slot_); }
   core::Vector3<Real> point(std::size_t j) const {
     return {load(problems_.position(j, 0)), load(problems_.position(j, 1)), load(problems_.position(j, 2))};

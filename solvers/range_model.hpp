@@ -92,6 +92,8 @@ class RangeModel {
   Real squared_move(const Vector& du) const { return core::dot(du, du); }
   void add_prior(const Vector&, double, NormalEquations<Real, unknowns>&) const {}
   Real prior_change(const Vector&, const Vector&) const { return Real(0.0); }
+  Real prior_squares(const Vector&) const { return Real(0.0); }
+  std::size_t observations() const { return points(); }
 
  private:
   [[gnu::always_inline]] Real value(std::size_t column) const { return core::load<Real>(first_ + column * stride_); }

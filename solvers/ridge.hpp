@@ -76,8 +76,8 @@ struct RidgeMethod : MethodDefaults {
       }
     }
 
-    KContext<Real, P> context{ols.equations, ols.ols_step,   Real(0.0), Real(0.0), ols.ols_step, {}, u,
-                              iteration,     model.points(), oracle,    options};
+    KContext<Real, P> context{ols.equations, ols.ols_step,         Real(0.0), Real(0.0), ols.ols_step, {}, u,
+                              iteration,     model.observations(), oracle,    options};
     if (estimator.needs_ols_step) fill_variance(model, u, estimator, context);
     RidgeMatrix<Real, P> k;
     if constexpr (kind == RidgeKind::Paper) {
@@ -136,10 +136,15 @@ struct RidgeMethod : MethodDefaults {
     const ScoreWeights scores(options);
     const auto n = static_cast<double>(model.points());
     const bool by_dof = !plain && options.sigma2_source == Sigma2Source::Dof;
-    if (estimator.needs_squares || by_dof) c.squares = weighted_squares(model, u, scores);
+    if (estimator.needs_squares || by_dof) c.squares = weighted_squares(model, u, scores) + model.prior_squares(u);
     if (by_dof) {
-      const Real rest = core::max(c.squares - core::dot(c.least_squares.gradient, c.ols_step), Real(0.0));
-      c.sigma2 = rest * core::reciprocal(Real(n - static_cast<double>(P)));
+      const auto freedom = static_cast<double>(c.observations) - static_cast<double>(P);
+      // At the end of Gauss-Newton the linearised problem has nothing left to fit.
+      const Vector end = core::subtract(u, c.ols_step);
+      const Real rest = options.ols_mode == OlsMode::Full
+                            ? weighted_squares(model, end, scores) + model.prior_squares(end)
+                            : core::max(c.squares - core::dot(c.least_squares.gradient, c.ols_step), Real(0.0));
+      c.sigma2 = rest * core::reciprocal(Real(freedom));
     } else if (!plain && options.sigma2_source == Sigma2Source::Prior) {
       c.sigma2 = Real(options.sigma_prior_m * options.sigma_prior_m);
     } else {

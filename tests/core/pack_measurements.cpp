@@ -9,6 +9,7 @@
 
 #include "core/pack.hpp"
 #include "core/random.hpp"
+#include "core/symmetric_eigen.hpp"
 
 namespace ridgeloc::tests {
 
@@ -216,6 +217,41 @@ void measure_masks(PackMeasurements& m) {
   }
 }
 
+/// Lanes that need no, few and many rotations side by side, and each of them in all lanes.
+template <std::size_t P>
+void measure_eigens(Sequence& sequence, PackMeasurements& m) {
+  using Matrix = core::Symmetric<NativeReal, P>;
+  for (int i = 0; i < rounds / 100; ++i) {
+    double x[Matrix::size][lanes];
+    for (auto& element : x) {
+      for (std::size_t l = 0; l < lanes; ++l)
+        element[l] = l % 3 == 0 ? 0.0 : sequence.spread(-30.0, l % 3 == 1 ? -20.0 : 0.0);
+    }
+    for (std::size_t d = 0; d < P; ++d) {
+      for (std::size_t l = 0; l < lanes; ++l) x[Matrix::index(d, d)][l] = sequence.spread(-1.0, 1.0);
+    }
+    Matrix together;
+    for (std::size_t e = 0; e < Matrix::size; ++e) together.upper[e] = core::load<NativeReal>(x[e]);
+    const auto all = core::symmetric_eigen(together);
+    for (std::size_t l = 0; l < lanes; ++l) {
+      Matrix alone;
+      for (std::size_t e = 0; e < Matrix::size; ++e) alone.upper[e] = NativeReal(x[e][l]);
+      const auto one = core::symmetric_eigen(alone);
+      double a[lanes], b[lanes];
+      for (std::size_t d = 0; d < P; ++d) {
+        core::store(a, all.values[d]);
+        core::store(b, one.values[d]);
+        m.dependent_eigens += same(a[l], b[l]) ? 0 : 1;
+        for (std::size_t k = 0; k < P; ++k) {
+          core::store(a, all.vectors[d][k]);
+          core::store(b, one.vectors[d][k]);
+          m.dependent_eigens += same(a[l], b[l]) ? 0 : 1;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 
 template <>
@@ -230,6 +266,9 @@ PackMeasurements measure_packs<core::native_isa>() {
   measure_functions(sequence, m);
   measure_columns(m);
   measure_masks(m);
+  measure_eigens<2>(sequence, m);
+  measure_eigens<3>(sequence, m);
+  measure_eigens<4>(sequence, m);
   return m;
 }
 

@@ -18,6 +18,7 @@ struct PackMeasurements {
   std::size_t wrong_words = 0;     ///< random words that are not Random123's
   std::size_t wrong_columns = 0;   ///< loads and stores at the end of a column
   std::size_t wrong_masks = 0;
+  std::size_t dependent_eigens = 0;  ///< eigenvalues and eigenvectors that depend on those in other lanes
   double log_error_ulp = 0.0;
   double exp_error_ulp = 0.0;
   double exp_minus_one_error_ulp = 0.0;

@@ -18,6 +18,7 @@ void check(const tests::PackMeasurements& m) {
   CHECK(m.wrong_words == 0);
   CHECK(m.wrong_columns == 0);
   CHECK(m.wrong_masks == 0);
+  CHECK(m.dependent_eigens == 0);
   CHECK(m.log_error_ulp <= core::log_max_error_ulp);
   CHECK(m.exp_error_ulp <= core::exp_max_error_ulp);
   CHECK(m.exp_minus_one_error_ulp <= core::exp_minus_one_max_error_ulp);

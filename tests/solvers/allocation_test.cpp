@@ -3,11 +3,12 @@
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <random>
+#include <vector>
 
 #include "catch.hpp"
-#include "sim/field_of_view.hpp"
-#include "sim/range_noise.hpp"
-#include "solvers/solver.hpp"
+#include "tests/solvers/all_methods.hpp"
+#include "tests/solvers/sample.hpp"
 
 namespace {
 
@@ -29,24 +30,43 @@ void operator delete(void* memory, std::size_t) noexcept {
 
 using namespace ridgeloc;
 
-TEST_CASE("a solve allocates nothing once its buffers have grown") {
-  core::ProblemBatch problems;
-  problems.reshape(5, 500);
-  const sim::FieldOfView view;
-  sim::place_objects(view, sim::SceneStreams(1, view), 0, problems);
-  sim::measure_ranges(sim::noise_registry()[0], {.range_sigma_m = 0.3}, core::Stream(1, "noise", "normal"), 0,
-                      problems);
-  for (const auto& entry : solvers::solver_registry()) {
-    for (std::size_t i = 0; i <= core::isa_count; ++i) {
-      if (i > 0 && !core::is_supported(static_cast<core::Isa>(i - 1))) continue;
-      const solvers::Solver solve = i == 0 ? entry.solve : entry.kernels[i - 1];
-      core::SolutionBatch out;
-      solve(problems, {}, nullptr, out);
-      const std::size_t before = allocations.load();
-      solve(problems, {}, nullptr, out);
-      const std::size_t made = allocations.load() - before;
-      INFO(entry.name << " kernel " << i);
-      CHECK(made == 0);
+namespace {
+
+void check(const core::ProblemBatch& problems, const tests::MethodChoice& method) {
+  for (std::size_t i = 0; i <= core::isa_count; ++i) {
+    if (i > 0 && !core::is_supported(static_cast<core::Isa>(i - 1))) continue;
+    const solvers::Solver solve = i == 0 ? method.entry->solve : method.entry->kernels[i - 1];
+    if (solvers::k_estimator_registry()[method.options.k].needs_oracle) continue;
+    core::SolutionBatch out;
+    solve(problems, method.options, nullptr, out);
+    const std::size_t before = allocations.load();
+    solve(problems, method.options, nullptr, out);
+    const std::size_t made = allocations.load() - before;
+    INFO(method.name << " kernel " << i << ", " << problems.points() << " points");
+    CHECK(made == 0);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a solve allocates nothing once its buffers have grown, whatever the options, the model, the points") {
+  auto methods = tests::methods_by_k();
+  for (const auto& method : tests::methods_by_option()) methods.push_back(method);
+  for (const std::size_t points : {3, 5, 11}) {
+    std::mt19937_64 engine(points);
+    std::vector<tests::Sample> ranges;
+    std::vector<tests::Sample> images;
+    for (int i = 0; i < 100; ++i) {
+      ranges.push_back(tests::random_sample(engine, {.points = points, .sigma_m = 0.3, .offset_m = 5.0}));
+      images.push_back(
+          tests::random_sample(engine, {.points = points, .images = true, .sigma_m = 0.3, .offset_m = 5.0}));
+    }
+    for (tests::MethodChoice method : methods) {
+      check(tests::batch_of(ranges), method);
+      for (const auto& model : tests::pseudorange_models()) {
+        tests::apply(model, method.options);
+        check(tests::batch_of(images), method);
+      }
     }
   }
 }

@@ -14,20 +14,26 @@
 #include "sim/range_noise.hpp"
 #include "solvers/k_registry.hpp"
 #include "solvers/solver.hpp"
+#include "tests/solvers/all_methods.hpp"
 
 using namespace ridgeloc;
+using namespace ridgeloc::tests;
 
 namespace {
 
 constexpr double sigma_m = 0.3;
 constexpr std::size_t trials = RIDGELOC_COMPANY_TRIALS;
+constexpr std::size_t few_trials = 300;  // for what there is much of: every option on every model
+
+enum class Measured { Ranges, Pseudoranges };
 
 struct Batch {
   core::ProblemBatch problems;
   std::array<std::vector<double>, 3> truth;
+  std::vector<double> image_distance;
   core::Oracle oracle;
 
-  Batch(std::size_t points, std::size_t size) {
+  Batch(std::size_t points, std::size_t size, Measured measured = Measured::Ranges) {
     const sim::FieldOfView view;
     problems.reshape(points, size);
     sim::place_objects(view, sim::SceneStreams(2018, view), 0, problems);
@@ -42,12 +48,32 @@ struct Batch {
     oracle.range_sigma_m = sigma_m;
     oracle.k_error = core::Stream(2018, "k_error");
     oracle.first_trial = 1000;
+    if (measured == Measured::Pseudoranges) add_images();
+  }
+
+  /// Makes pseudoranges of the ranges: every point is seen somewhere beside the optical centre.
+  void add_images() {
+    problems.add_images();
+    image_distance.resize(problems.trials());
+    for (std::size_t t = 0; t < problems.trials(); ++t) {
+      image_distance[t] = 4.0 + 1e-3 * static_cast<double>(t % 89);
+      const double v = image_distance[t];
+      problems.start_image_distance()[t] = v * (1.0 + 1e-4 * static_cast<double>(t % 13));
+      for (std::size_t j = 0; j < problems.points(); ++j) {
+        const double beside = 0.1 + 0.25 * static_cast<double>((5 * j + t) % 11);
+        const double range = problems.measured(j)[t];
+        problems.alpha(j)[t] = range * range / (v * v + beside * beside);
+        problems.measured(j)[t] = problems.alpha(j)[t] * beside * beside;
+      }
+    }
+    oracle.image_distance = image_distance;
   }
 
   /// Takes over one trial of another batch.
   void copy_trial(const Batch& from, std::size_t trial, std::size_t slot) {
     problems.copy_trial(from.problems, trial, slot);
     for (std::size_t axis = 0; axis < 3; ++axis) truth[axis][slot] = from.truth[axis][trial];
+    if (!image_distance.empty()) image_distance[slot] = from.image_distance[trial];
   }
 };
 
@@ -84,18 +110,53 @@ std::size_t differing(const core::SolutionBatch& a, const core::SolutionBatch& b
 /// Every solver with every estimator of K that it can have.
 template <class F>
 void for_each_method(F f) {
-  for (const auto& entry : solvers::solver_registry()) {
-    solvers::SolverOptions options;
-    options.k_fixed = 0.2;
-    options.similarity = 0.8;
-    const bool reads_k = std::ranges::find(entry.options, "k") != entry.options.end();
-    for (std::size_t k = 0; k < (reads_k ? solvers::k_estimator_registry().size() : 1); ++k) {
-      options.k = k;
-      options.k_true = k % 2 == 0 ? solvers::KTrue::Elem : solvers::KTrue::Gm;
-      f(entry, options);
+  for (const MethodChoice& method : methods_by_k()) f(*method.entry, method.options);
+}
+
+/// Every method with every option, on ranges and on every model of pseudoranges.
+template <class F>
+void for_each_choice(F f) {
+  const auto by_k = methods_by_k();
+  auto methods = methods_by_option();
+  for (const MethodChoice& method : methods) f(method, Measured::Ranges, method.name);
+  methods.insert(methods.end(), by_k.begin(), by_k.end());
+  for (const ModelChoice& model : pseudorange_models()) {
+    for (MethodChoice method : methods) {
+      apply(model, method.options);
+      f(method, Measured::Pseudoranges, method.name + ", " + name_of(model));
     }
   }
 }
+
+/// The trials of a batch in another order, among as many others that are not numbers.
+struct Mixed {
+  std::vector<std::size_t> order;  ///< slot -> trial, or beyond the trials
+  Batch batch;
+
+  Mixed(const Batch& from, Measured measured)
+      : order(2 * from.problems.trials()), batch(from.problems.points(), order.size(), measured) {
+    std::mt19937 shuffle(7);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::shuffle(order, shuffle);
+    for (std::size_t slot = 0; slot < order.size(); ++slot) {
+      if (is_trial(slot)) {
+        batch.copy_trial(from, order[slot], slot);
+      } else {
+        batch.problems.measured(0)[slot] = std::numeric_limits<double>::quiet_NaN();
+      }
+    }
+  }
+  bool is_trial(std::size_t slot) const { return order[slot] < order.size() / 2; }
+
+  /// How many trials came to something else than in their own batch.
+  std::size_t differing(const core::SolutionBatch& apart, const core::SolutionBatch& together) const {
+    std::size_t count = 0;
+    for (std::size_t slot = 0; slot < order.size(); ++slot) {
+      if (is_trial(slot)) count += same_trial(apart, slot, together, order[slot]) ? 0 : 1;
+    }
+    return count;
+  }
+};
 
 }  // namespace
 
@@ -114,34 +175,48 @@ TEST_CASE("the baseline kernels give the bits of the double path") {
 TEST_CASE("what a trial comes to does not depend on its lane, its neighbours or the refilling of lanes") {
   const std::size_t points = GENERATE(std::size_t{3}, std::size_t{5});
   const Batch batch(points, trials);
-  std::mt19937 shuffle(7);
+  const Mixed mixed(batch, Measured::Ranges);
   for (const core::Isa isa : supported()) {
     for_each_method([&](const solvers::SolverEntry& entry, solvers::SolverOptions options) {
       options.similarity = 1.0;  // a smaller one draws by the number of the trial, which a new place changes
       INFO(entry.name << " k " << options.k << " points " << points << " on " << core::name_of(isa));
       core::SolutionBatch together;
-      entry.kernel(isa)(batch.problems, options, &batch.oracle, together);
-
-      // The same trials in another order, among others that are not numbers.
-      std::vector<std::size_t> order(2 * trials);
-      std::iota(order.begin(), order.end(), std::size_t{0});
-      std::ranges::shuffle(order, shuffle);
-      Batch mixed(points, 2 * trials);
-      for (std::size_t slot = 0; slot < 2 * trials; ++slot) {
-        if (order[slot] < trials) {
-          mixed.copy_trial(batch, order[slot], slot);
-        } else {
-          mixed.problems.measured(0)[slot] = std::numeric_limits<double>::quiet_NaN();
-        }
-      }
       core::SolutionBatch apart;
-      entry.kernel(isa)(mixed.problems, options, &mixed.oracle, apart);
-      std::size_t different = 0;
-      for (std::size_t slot = 0; slot < 2 * trials; ++slot) {
-        if (order[slot] < trials) different += same_trial(apart, slot, together, order[slot]) ? 0 : 1;
-      }
-      CHECK(different == 0);
+      entry.kernel(isa)(batch.problems, options, &batch.oracle, together);
+      entry.kernel(isa)(mixed.batch.problems, options, &mixed.batch.oracle, apart);
+      CHECK(mixed.differing(apart, together) == 0);
     });
+  }
+}
+
+TEST_CASE("all this holds for every option and for pseudoranges") {
+  for (const std::size_t points : {4, 6}) {
+    const Batch ranges(points, few_trials);
+    const Batch images(points, few_trials, Measured::Pseudoranges);
+    const Mixed mixed_ranges(ranges, Measured::Ranges);
+    const Mixed mixed_images(images, Measured::Pseudoranges);
+    std::size_t converged = 0;
+    for_each_choice([&](const MethodChoice& method, Measured measured, const std::string& name) {
+      const Batch& batch = measured == Measured::Ranges ? ranges : images;
+      const Mixed& mixed = measured == Measured::Ranges ? mixed_ranges : mixed_images;
+      INFO(name << ", " << points << " points");
+      core::SolutionBatch reference;
+      core::SolutionBatch together;
+      core::SolutionBatch apart;
+      method.entry->solve(batch.problems, method.options, &batch.oracle, reference);
+      converged += static_cast<std::size_t>(std::ranges::count(reference.status, std::uint8_t{0}));
+      solvers::SolverOptions same_draws = method.options;
+      same_draws.similarity = 1.0;
+      for (const core::Isa isa : supported()) {
+        INFO(core::name_of(isa));
+        method.entry->kernel(isa)(batch.problems, method.options, &batch.oracle, together);
+        if (isa == core::Isa::Baseline) CHECK(differing(reference, together) == 0);
+        method.entry->kernel(isa)(batch.problems, same_draws, &batch.oracle, together);
+        method.entry->kernel(isa)(mixed.batch.problems, same_draws, &mixed.batch.oracle, apart);
+        CHECK(mixed.differing(apart, together) == 0);
+      }
+    });
+    CHECK(converged > 10'000);
   }
 }
 
