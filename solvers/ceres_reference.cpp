@@ -120,15 +120,24 @@ class Reference {
     return summary.iterations.empty() ? 0 : static_cast<int>(summary.iterations.size()) - 1;
   }
 
-  /// J'We at the current place; NaN where it is not defined. `cost` may be null.
-  Vector gradient(double* cost) {
-    std::vector<double> values;
-    double unused = 0.0;
-    const bool ok =
-        trial_.usable() && problem_.Evaluate({}, cost != nullptr ? cost : &unused, nullptr, &values, nullptr);
-    if (ok) return Vector::Map(values.data(), u_.size());
-    if (cost != nullptr) *cost = not_defined;
-    return Vector::Constant(u_.size(), not_defined);
+  /// J'We at the current place, and the objective; NaN where it is not defined. Term by term, since
+  /// ceres::Problem::Evaluate prepares far longer than it computes.
+  Vector gradient(double* cost = nullptr) const {
+    Vector sum = Vector::Zero(u_.size());
+    double total = 0.0;
+    bool defined = trial_.usable();
+    for (std::size_t i = 0; i < terms_.size() && defined; ++i) {
+      double term = 0.0;
+      double residual = 0.0;
+      Vector row(u_.size());
+      double* rows[] = {row.data()};
+      defined = problem_.EvaluateResidualBlock(terms_[i], true, &term, &residual, rows);
+      sum += residual * row;
+      total += term;
+    }
+    if (!defined) sum.setConstant(not_defined);
+    if (cost != nullptr) *cost = defined ? total : not_defined;
+    return sum;
   }
 
   double rounding_bound() const { return trial_.usable() ? trial_.rounding_bound(u_) : not_defined; }
@@ -151,19 +160,21 @@ class Reference {
     using Residual = ReferenceResidual<height_is_free, distance_is_free>;
     constexpr int unknowns = Residual::unknowns;
     for (const ReferenceObservation& o : trial_.observations()) {
-      problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<Residual, 1, unknowns>(new Residual{trial_, o}),
-                                new ceres::ScaledLoss(inner_loss(objective), o.factor, ceres::TAKE_OWNERSHIP),
-                                u_.data());
+      terms_.push_back(problem_.AddResidualBlock(
+          new ceres::AutoDiffCostFunction<Residual, 1, unknowns>(new Residual{trial_, o}),
+          new ceres::ScaledLoss(inner_loss(objective), o.factor, ceres::TAKE_OWNERSHIP), u_.data()));
     }
     if (!distance_is_free || trial_.prior_factor() == 0.0) return;
     using Prior = PriorResidual<unknowns>;
-    problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<Prior, 1, unknowns>(new Prior{trial_}),
-                              new ceres::ScaledLoss(nullptr, trial_.prior_factor(), ceres::TAKE_OWNERSHIP), u_.data());
+    terms_.push_back(problem_.AddResidualBlock(
+        new ceres::AutoDiffCostFunction<Prior, 1, unknowns>(new Prior{trial_}),
+        new ceres::ScaledLoss(nullptr, trial_.prior_factor(), ceres::TAKE_OWNERSHIP), u_.data()));
   }
 
   ReferenceTrial trial_;
   Vector u_;
   ceres::Problem problem_;
+  std::vector<ceres::ResidualBlockId> terms_;
 };
 
 /// Newton's method on J'We = 0 from the current place: a step is halved until the gradient norm falls (with Huber's
@@ -171,7 +182,7 @@ class Reference {
 void refine(Reference& reference) {
   constexpr int max_steps = 50;
   constexpr int max_halvings = 20;
-  Vector gradient = reference.gradient(nullptr);
+  Vector gradient = reference.gradient();
   for (int step = 0; step < max_steps; ++step) {
     const Eigen::LLT<ReferenceTrial::Matrix> factor(reference.trial().hessian(reference.unknowns()));
     if (factor.info() != Eigen::Success) return;
@@ -180,7 +191,7 @@ void refine(Reference& reference) {
     Vector next = gradient;
     for (int halving = 0; halving <= max_halvings && !(next.norm() < gradient.norm()); ++halving) {
       reference.move_to(Vector(before - std::ldexp(1.0, -halving) * full_step));
-      next = reference.gradient(nullptr);
+      next = reference.gradient();
     }
     if (!(next.norm() < gradient.norm())) {
       reference.move_to(before);
@@ -202,7 +213,7 @@ Minimizer minimize(const core::ProblemBatch& problems, std::size_t trial, const 
 
   Reference reference(problems, trial, objective);
   reference.move_to(start);
-  if (!reference.gradient(nullptr).allFinite()) return result;
+  if (!reference.gradient().allFinite()) return result;
 
   result.iterations = reference.minimize();
   refine(reference);
@@ -219,7 +230,7 @@ std::array<double, 4> gradient(const core::ProblemBatch& problems, std::size_t t
                                const ReferenceObjective& objective) {
   Reference reference(problems, trial, objective);
   reference.move_to(estimate);
-  const Vector value = reference.gradient(nullptr);
+  const Vector value = reference.gradient();
   const ReferenceTrial& view = reference.trial();
   return {value[0], value[1], view.height_is_free() ? value[2] : 0.0,
           view.distance_is_free() ? value[value.size() - 1] * view.distance_scale() : 0.0};

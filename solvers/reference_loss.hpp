@@ -31,6 +31,8 @@ struct RobustLoss {
   /// rho, its first and its second derivative. Where the second jumps, that from below.
   std::array<double, 3> operator()(double squared_residual) const;
 
+  bool operator==(const RobustLoss&) const = default;
+
   double weight(double residual) const { return (*this)(residual * residual)[1]; }
 };
 

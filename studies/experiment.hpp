@@ -36,6 +36,14 @@ struct TrialRange {
   std::size_t count = 0;
 };
 
+/// What of a study, besides cell and methods, its numbers depend on.
+struct StudyKey {
+  std::uint64_t seed = 0;
+  double audit = 0.0;  ///< `Study::audit`
+
+  StudyKey(std::uint64_t study_seed, double audit_share = 0.0) : seed(study_seed), audit(audit_share) {}
+};
+
 /// Scratch memory of one thread, kept from block to block, and the instruction set that the thread computes with.
 class Workspace {
  public:
@@ -81,10 +89,10 @@ class Experiment {
   /// Scratch memory for one thread. Precondition: core::is_supported(isa).
   virtual std::unique_ptr<Workspace> make_workspace(core::Isa isa) const = 0;
 
-  /// Simulates and solves a range of trials of one cell and hands every column to `sink`. A pure function of (seed,
+  /// Simulates and solves a range of trials of one cell and hands every column to `sink`. A pure function of (key,
   /// cell, methods, range, instruction set): no clock, no thread, no state between calls. Thread safe for distinct
   /// workspaces.
-  virtual void run_block(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, TrialRange range,
+  virtual void run_block(const StudyKey& key, const Cell& cell, std::span<const Method> methods, TrialRange range,
                          Workspace& workspace, results::BlockSink& sink) const = 0;
 };
 

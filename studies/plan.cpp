@@ -90,8 +90,9 @@ std::vector<Cell> make_cells(const Study& study) {
 /// What changes every number and is neither swept nor a method's own. Trials, figures and titles are not part of it, so
 /// a longer or wider study continues an old result.
 std::string study_content(const Study& study) {
-  std::string content = fmt::format("experiment = {} version {}\nseed = {}\nblock = {}\n", study.experiment->name(),
-                                    study.experiment->version(), study.seed, study.experiment->block_trials());
+  std::string content = fmt::format("experiment = {} version {}\nseed = {}\nblock = {}\naudit = {}\n",
+                                    study.experiment->name(), study.experiment->version(), study.seed,
+                                    study.experiment->block_trials(), to_toml(Value(study.audit)));
   for (const Setting& setting : study.experiment->settings()) {
     const auto value = study.fixed.find(setting.name);
     if (setting.per_method || value == study.fixed.end()) continue;

@@ -8,6 +8,7 @@
 #include "core/solution.hpp"
 #include "sim/kernels.hpp"
 #include "solvers/solver.hpp"
+#include "studies/audit.hpp"
 #include "studies/ranging_settings.hpp"
 
 namespace ridgeloc::studies {
@@ -17,7 +18,18 @@ namespace {
 constexpr std::string_view scene_label = "scene";
 
 // Columns of the schema, in its order.
-enum Metric : std::size_t { ErrorM, ErrorAllM, Iterations, EtaFirst, EtaLast, EtaMean, ResidualRmsM, CrbM, Gdop };
+enum Metric : std::size_t {
+  ErrorM,
+  ErrorAllM,
+  Iterations,
+  EtaFirst,
+  EtaLast,
+  EtaMean,
+  ResidualRmsM,
+  CrbM,
+  Gdop,
+  FirstOfAudit  ///< and the others, in the order of AuditMetric
+};
 
 results::Schema make_schema() {
   results::Schema schema;
@@ -32,6 +44,7 @@ results::Schema make_schema() {
       {"crb_m", "m", "Cramer-Rao bound of the position error", true},
       {"gdop", "1", "geometric dilution of precision", true},
   };
+  for (results::MetricInfo& metric : audit_metrics()) schema.metrics.push_back(std::move(metric));
   for (const std::string_view status : core::status_names) {
     schema.events.push_back({std::string(status), "trials that ended as " + std::string(status)});
   }
@@ -51,6 +64,7 @@ struct Scratch : Workspace {
   std::array<std::vector<double>, 3> truth;
   std::vector<double> values;
   std::vector<std::uint8_t> flags;
+  Audit::Columns audit;
 };
 
 class Ranging : public Experiment {
@@ -59,7 +73,7 @@ class Ranging : public Experiment {
   std::string_view summary() const override {
     return "noisy ranges to objects in a field of view (RRR paper, section 4, Fig. 3)";
   }
-  int version() const override { return 2; }
+  int version() const override { return 3; }
   std::uint64_t block_trials() const override { return 4096; }
   std::span<const Setting> settings() const override { return ranging_settings(); }
   const results::Schema& schema() const override {
@@ -108,10 +122,11 @@ methods = ["ols", "rr", "rrr"]
 
   std::unique_ptr<Workspace> make_workspace(core::Isa isa) const override { return std::make_unique<Scratch>(isa); }
 
-  void run_block(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, TrialRange range,
+  void run_block(const StudyKey& key, const Cell& cell, std::span<const Method> methods, TrialRange range,
                  Workspace& workspace, results::BlockSink& sink) const override {
     auto& scratch = static_cast<Scratch&>(workspace);
     const RangingCell settings(cell.values);
+    const std::uint64_t seed = key.seed;
 
     scratch.problems.reshape(settings.points, range.count);
     const sim::Kernels scene = sim::kernels(scratch.isa);
@@ -132,6 +147,7 @@ methods = ["ols", "rr", "rrr"]
     oracle.k_error = core::Stream(seed, "k_error");
     oracle.first_trial = range.first;
 
+    Audit audit(scratch.problems, scratch.truth, AuditSample(key).slots(range));
     for (std::size_t m = 0; m < methods.size(); ++m) {
       const solvers::SolverOptions options = solver_options(cell.values, methods[m].given);
       const solvers::Solver solve = solvers::find_solver(methods[m].solver)->kernel(scratch.isa);
@@ -139,6 +155,11 @@ methods = ["ols", "rr", "rrr"]
       const auto read = settings_of_solver(methods[m].solver);
       const bool reads_k = std::ranges::find(read, "k") != read.end();
       report_method(m, options, reads_k, scratch, sink);
+      if (key.audit > 0.0 && Audit::covers(methods[m].solver, options)) {
+        audit.fill(methods[m].solver, options, scratch.solutions, scratch.audit);
+        for (std::size_t i = 0; i < audit_metric_count; ++i)
+          sink.sparse_metric(m, FirstOfAudit + i, audit.slots(), scratch.audit[i]);
+      }
     }
     report_scene(methods.size(), settings, scratch, sink);
   }

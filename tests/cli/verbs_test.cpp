@@ -94,8 +94,8 @@ TEST_CASE("summary shows every cell, method and failure with its error") {
 TEST_CASE("export writes the long form, a row per cell, method and metric") {
   const WithResult folder;
   const auto lines = lines_of(folder.ridgeloc("export result.h5 --csv").out);
-  // 4 cells; rrr: 7 metrics and 6 events, lm: 4 (no K) and 6, scene: 2.
-  REQUIRE(lines.size() == 1 + 4 * (13 + 10 + 2));
+  // 4 cells; rrr: 7 metrics, 6 of the audit and 6 events, lm: 4 (no K), 6 and 6, scene: 2.
+  REQUIRE(lines.size() == 1 + 4 * (19 + 16 + 2));
   CHECK(lines[0].starts_with(
       "points,range_sigma_m,method,metric,unit,n,mean,mcse,sd,min,p05,p25,p50,p75,p95,max,lo,hi,trusted"));
   CHECK(lines[1].starts_with("3,0.1,rrr,error_m,m,"));
@@ -109,7 +109,8 @@ TEST_CASE("export writes a row per trial with every metric") {
   REQUIRE(lines.size() == 1 + 4 * 3 * 40);
   CHECK(lines[0] ==
         "points,range_sigma_m,trial,method,status,error_m,error_all_m,iterations,eta_first,eta_last,eta_mean,"
-        "residual_rms_m,crb_m,gdop");
+        "residual_rms_m,crb_m,gdop,ref_gap_m,ref_objective_gap,ref_converged,ref_same_basin,ref_truth_basin,"
+        "ref_disagrees");
   CHECK(lines[1].starts_with("3,0.1,0,rrr,"));
   CHECK(lines[40].starts_with("3,0.1,39,rrr,"));
   CHECK(lines[41].starts_with("3,0.1,0,lm,"));
