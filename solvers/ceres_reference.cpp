@@ -105,7 +105,7 @@ class Reference {
   void move_to(const Vector& u) { u_ = u; }
 
   /// Ceres' own minimisation from the current place; returns the number of iterations.
-  int minimize() {
+  int minimize(double tolerance) {
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
     options.num_threads = 1;
@@ -140,11 +140,15 @@ class Reference {
     return sum;
   }
 
+  /// Whether the current place is a strict local minimum to rounding.
+  bool at_minimum() const {
+    const Eigen::LLT<ReferenceTrial::Matrix> factor(trial_.hessian(u_));
+    return gradient().norm() <= rounding_bound() && factor.info() == Eigen::Success;
+  }
+
   double rounding_bound() const { return trial_.usable() ? trial_.rounding_bound(u_) : not_defined; }
 
  private:
-  // Newton's method does the last digits: Ceres has to come close enough only.
-  static constexpr double tolerance = 1e-13;
   // Reweighting converges linearly: with 4 points and noise of 0.1 m the slowest of 10^4 trials took 16 000 iterations
   // until Newton's method could take over, the average one 27.
   static constexpr int max_iterations = 20000;
@@ -215,14 +219,21 @@ Minimizer minimize(const core::ProblemBatch& problems, std::size_t trial, const 
   reference.move_to(start);
   if (!reference.gradient().allFinite()) return result;
 
-  result.iterations = reference.minimize();
-  refine(reference);
+  // Newton's method does the last digits: Ceres has to come close enough only. Where the first tolerance was too wide
+  // for that (kinks, slow convergence), it goes on from where it was to the second.
+  for (const double tolerance : {1e-8, 1e-13}) {
+    result.iterations += reference.minimize(tolerance);
+    const ReferencePlace before = reference.place();
+    refine(reference);
+    result.converged = reference.at_minimum();
+    if (result.converged) break;
+    reference.move_to(before);
+  }
+  if (!result.converged) refine(reference);
   const ReferencePlace place = reference.place();
   result.estimate = place.position;
   result.image_distance_mm = place.image_distance_mm;
   result.gradient_norm = reference.gradient(&result.cost).norm();
-  const Eigen::LLT<ReferenceTrial::Matrix> factor(reference.trial().hessian(reference.unknowns()));
-  result.converged = result.gradient_norm <= reference.rounding_bound() && factor.info() == Eigen::Success;
   return result;
 }
 

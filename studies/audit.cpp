@@ -36,7 +36,8 @@ std::vector<std::size_t> AuditSample::slots(TrialRange range) const {
   for (std::size_t slot = 0; slot < range.count; ++slot) {
     const std::uint64_t trial = range.first + slot;
     if (slot == 0 || trial % words == 0) bits = stream_.block(trial / words, 0);
-    if (trial < always_audited || static_cast<double>(bits[trial % words] & low_word) + 0.5 < limit) slots.push_back(slot);
+    if (trial < always_audited || static_cast<double>(bits[trial % words] & low_word) + 0.5 < limit)
+      slots.push_back(slot);
   }
   return slots;
 }

@@ -76,6 +76,9 @@ class Experiment {
   virtual std::span<const Setting> settings() const = 0;
   virtual const results::Schema& schema() const = 0;
 
+  /// How many of the metrics are reported only if there is an audit.
+  virtual std::size_t audit_metrics() const { return 0; }
+
   /// The end of a template study: a [sweep], [[method]]s and a [[figure]] worth starting from.
   virtual std::string_view example() const = 0;
 

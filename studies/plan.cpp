@@ -171,7 +171,8 @@ Plan make_plan(const Study& study, core::Isa isa) {
 
 std::uint64_t bytes_per_trial(const Study& study) {
   const results::Schema& schema = study.experiment->schema();
-  const std::uint64_t columns = schema.metrics.size() * sizeof(double) + sizeof(std::uint8_t);
+  const std::size_t absent = study.audit > 0.0 ? 0 : study.experiment->audit_metrics();
+  const std::uint64_t columns = (schema.metrics.size() - absent) * sizeof(double) + sizeof(std::uint8_t);
   return columns * (study.methods.size() + study.experiment->extra_labels().size());
 }
 

@@ -44,7 +44,7 @@ results::Schema make_schema() {
       {"crb_m", "m", "Cramer-Rao bound of the position error", true},
       {"gdop", "1", "geometric dilution of precision", true},
   };
-  for (results::MetricInfo& metric : audit_metrics()) schema.metrics.push_back(std::move(metric));
+  for (results::MetricInfo& metric : studies::audit_metrics()) schema.metrics.push_back(std::move(metric));
   for (const std::string_view status : core::status_names) {
     schema.events.push_back({std::string(status), "trials that ended as " + std::string(status)});
   }
@@ -80,6 +80,8 @@ class Ranging : public Experiment {
     static const results::Schema schema = make_schema();
     return schema;
   }
+
+  std::size_t audit_metrics() const override { return audit_metric_count; }
 
   std::string_view example() const override {
     return R"([sweep]

@@ -91,6 +91,24 @@ TEST_CASE("summary shows every cell, method and failure with its error") {
   CHECK(contains(outcome.out, "crb_m"));
 }
 
+TEST_CASE("the audit shows in the summary, and can be switched off") {
+  const WithResult folder;
+  // 4 cells of 40 trials, all of them audited; rrr and lm.
+  const std::string table = folder.ridgeloc("summary result.h5").out;
+  CHECK(contains(table, "ref_gap_m [m]"));
+  CHECK(contains(table, "ref_converged"));
+  std::size_t quiet = 0;
+  for (const std::string& line : lines_of(table))
+    quiet += contains(line, "ref_disagrees") && contains(line, "0 [<= 0.0");
+  CHECK(quiet == 8);
+  REQUIRE(folder.ridgeloc("run study.toml --audit 0 -o quiet.h5").exit_code == 0);
+  CHECK_FALSE(contains(folder.ridgeloc("summary quiet.h5").out, "ref_"));
+  CHECK(folder.ridgeloc("run study.toml -o result.h5 --audit 0.5").exit_code == 2);  // another study
+  const auto refused = folder.ridgeloc("run study.toml --audit 2 -o x.h5");
+  CHECK(refused.exit_code == 2);
+  CHECK(contains(refused.error, "audit = 2 is not allowed"));
+}
+
 TEST_CASE("export writes the long form, a row per cell, method and metric") {
   const WithResult folder;
   const auto lines = lines_of(folder.ridgeloc("export result.h5 --csv").out);
