@@ -58,9 +58,8 @@ std::vector<results::MetricInfo> audit_metrics() {
   return metrics;
 }
 
-Audit::Audit(const core::ProblemBatch& problems,
-             const std::array<std::vector<double>, core::position_parameters>& truth, std::vector<std::size_t> slots)
-    : problems_(problems), truth_(truth), slots_(std::move(slots)) {}
+Audit::Audit(const core::ProblemBatch& problems, const core::Oracle& oracle, std::vector<std::size_t> slots)
+    : problems_(problems), oracle_(oracle), slots_(std::move(slots)) {}
 
 bool Audit::covers(std::string_view solver, const solvers::SolverOptions& options) {
   return solvers::reference_objective(solver, options).has_value();
@@ -92,7 +91,8 @@ void Audit::fill(std::string_view solver, const solvers::SolverOptions& options,
 
 Audit::Answers Audit::solve(std::size_t slot, const solvers::ReferenceObjective& objective) const {
   const std::array<double, 3> start{problems_.start(0)[slot], problems_.start(1)[slot], problems_.start(2)[slot]};
-  const std::array<double, 3> truth{truth_[0][slot], truth_[1][slot], truth_[2][slot]};
+  solvers::ReferencePlace truth({oracle_.truth[0][slot], oracle_.truth[1][slot], oracle_.truth[2][slot]});
+  if (!oracle_.image_distance.empty()) truth.image_distance_mm = oracle_.image_distance[slot];
   return {solvers::minimize(problems_, slot, start, objective), solvers::minimize(problems_, slot, truth, objective)};
 }
 

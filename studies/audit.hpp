@@ -51,9 +51,9 @@ std::vector<results::MetricInfo> audit_metrics();
 /// Solves some trials of a batch again with the reference. Methods with the same objective share its answers.
 class Audit {
  public:
-  /// `slots`: the trials to solve again. `truth` and `problems` are read by `columns` and must live as long.
-  Audit(const core::ProblemBatch& problems, const std::array<std::vector<double>, core::position_parameters>& truth,
-        std::vector<std::size_t> slots);
+  /// `slots`: the trials to solve again. The reference is started at the truth of the oracle, and at the true image
+  /// distance where there is one. Problems and oracle must live as long.
+  Audit(const core::ProblemBatch& problems, const core::Oracle& oracle, std::vector<std::size_t> slots);
 
   /// Whether the solver has an objective that the reference can minimise.
   static bool covers(std::string_view solver, const solvers::SolverOptions& options);
@@ -80,7 +80,7 @@ class Audit {
                                                const Answers& answers, const core::SolutionBatch& solutions) const;
 
   const core::ProblemBatch& problems_;
-  const std::array<std::vector<double>, core::position_parameters>& truth_;
+  const core::Oracle& oracle_;
   std::vector<std::size_t> slots_;
   std::vector<std::pair<solvers::ReferenceObjective, AnswersOfSlots>> shared_;
 };

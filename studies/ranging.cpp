@@ -149,7 +149,7 @@ methods = ["ols", "rr", "rrr"]
     oracle.k_error = core::Stream(seed, "k_error");
     oracle.first_trial = range.first;
 
-    Audit audit(scratch.problems, scratch.truth, AuditSample(key).slots(range));
+    Audit audit(scratch.problems, oracle, AuditSample(key).slots(range));
     for (std::size_t m = 0; m < methods.size(); ++m) {
       const solvers::SolverOptions options = solver_options(cell.values, methods[m].given);
       const solvers::Solver solve = solvers::find_solver(methods[m].solver)->kernel(scratch.isa);

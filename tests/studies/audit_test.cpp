@@ -70,7 +70,9 @@ struct Solved {
   }
 
   Audit::Columns columns(std::vector<std::size_t> slots) const {
-    Audit audit(problems, truth, std::move(slots));
+    core::Oracle oracle;
+    for (std::size_t axis = 0; axis < 3; ++axis) oracle.truth[axis] = truth[axis];
+    Audit audit(problems, oracle, std::move(slots));
     Audit::Columns result;
     audit.fill("ols", options, solutions, result);
     return result;
