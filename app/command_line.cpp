@@ -56,6 +56,10 @@ void add_study_options(CLI::App& verb, StudyOptions& options) {
           "--seed", [&options](const std::string& n) { options.overrides.push_back("seed=" + whole_number(n)); },
           "seed of all random numbers")
       ->type_name("N");
+  verb.add_option_function<std::string>(
+          "--audit", [&options](const std::string& f) { options.overrides.push_back("audit=" + f); },
+          "share of the trials that Ceres solves again, 0 to 1; 0 switches the audit off")
+      ->type_name("F");
   verb.add_option_function<std::vector<std::string>>(
           "--set",
           [&options](const std::vector<std::string>& items) {

@@ -7,6 +7,7 @@
 #include "app/instruction_set.hpp"
 #include "app/verbs.hpp"
 #include "core/units.hpp"
+#include "studies/audit.hpp"
 #include "studies/pilot.hpp"
 #include "studies/study_reader.hpp"
 
@@ -34,8 +35,13 @@ void print_plan(const studies::Study& study, core::Isa isa, int threads) {
              plan.blocks_per_cell, plan.header.block_trials);
   fmt::print("  pilot    {:.3g} us per trial and thread, all methods, with {} ({} trials)\n",
              pilot.seconds_per_trial * 1e6, plan.header.isa, pilot.trials);
-  fmt::print("  time     about {} on {} thread{}\n", duration_text(pilot.seconds_per_trial * trials / threads), threads,
+  const double seconds = pilot.seconds_per_trial * trials + pilot.seconds_per_cell * cells;
+  fmt::print("  time     about {} on {} thread{}\n", duration_text(seconds / threads), threads,
              threads == 1 ? "" : "s");
+  if (study.audit > 0.0) {
+    fmt::print("  audit    by Ceres: the first {} trials of each cell and {:g} of the others\n",
+               studies::always_audited, study.audit);
+  }
   fmt::print("  disk     at most {:.1f} MiB of per-trial columns ({:.0f} trials kept) besides the summaries\n",
              columns_mib, kept);
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -10,7 +11,7 @@ namespace ridgeloc::results {
 namespace {
 
 // Mark what a column is in the digest, so that equal bytes of different meaning differ.
-enum Kind : std::uint64_t { kind_status = 1, kind_event = 2, kind_metric = 3 };
+enum Kind : std::uint64_t { kind_status = 1, kind_event = 2, kind_metric = 3, kind_sparse_metric = 4 };
 
 }  // namespace
 
@@ -77,6 +78,25 @@ void BlockSink::metric(std::size_t method, std::size_t metric, std::span<const d
   target.statistics.metrics.at(metric) = statistics_of(values);
   target.has_columns = true;
   if (keeps_columns_) target.columns.metrics[metric].assign(values.begin(), values.end());
+}
+
+void BlockSink::sparse_metric(std::size_t method, std::size_t metric, std::span<const std::size_t> trials,
+                              std::span<const double> values) {
+  if (trials.size() != values.size() || (!trials.empty() && trials.back() >= trials_))
+    throw std::invalid_argument(
+        fmt::format("{} values of {} trials for a block of {}", values.size(), trials.size(), trials_));
+  PerMethod& target = methods_.at(method);
+  target.digest.update(kind_sparse_metric);
+  target.digest.update(metric);
+  target.digest.update(values.size());
+  for (const std::size_t trial : trials) target.digest.update(trial);
+  target.digest.update(std::as_bytes(values));
+  target.statistics.metrics.at(metric) = statistics_of(values);
+  target.has_columns = true;
+  if (!keeps_columns_) return;
+  std::vector<double>& column = target.columns.metrics[metric];
+  column.assign(trials_, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < trials.size(); ++i) column[trials[i]] = values[i];
 }
 
 std::vector<Row> BlockSink::take_rows() {

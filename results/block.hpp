@@ -41,6 +41,10 @@ class BlockSink {
   void event(std::size_t method, std::size_t event, std::span<const std::uint8_t> flags);
   /// NaN: the trial is not in the metric's population.
   void metric(std::size_t method, std::size_t metric, std::span<const double> values);
+  /// A metric whose population is a few trials at most: values[i] of trial trials[i], ascending and counted from the
+  /// first of the block.
+  void sparse_metric(std::size_t method, std::size_t metric, std::span<const std::size_t> trials,
+                     std::span<const double> values);
 
   std::size_t cell() const { return cell_; }
   std::uint64_t block() const { return block_; }

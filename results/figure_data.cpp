@@ -7,8 +7,10 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "core/error.hpp"
+#include "results/alarm.hpp"
 #include "results/figure_names.hpp"
 #include "results/text.hpp"
 
@@ -76,7 +78,7 @@ FigurePoint point_of(const SummaryRow& row, const Quantity& quantity, double x) 
 class Builder {
  public:
   Builder(const Summary& summary, const FigureSpec& spec)
-      : header_(summary.header), spec_(spec), names_(resolve_figure_names(summary.header, spec)) {
+      : summary_(summary), header_(summary.header), spec_(spec), names_(resolve_figure_names(summary.header, spec)) {
     for (SummaryRow& row : summary_rows(summary)) {
       for (std::size_t metric = 0; metric < names_.y.size(); ++metric) {
         const Quantity& quantity = names_.y[metric];
@@ -228,8 +230,12 @@ class Builder {
                                    : fmt::format("{} to {} trials per point", fewest_trials_, most_trials_);
     data.footnote = trials + "; bars: 95 % intervals; points share trials and are not independent";
     if (untrusted) data.footnote += "; dotted bars: the interval itself is uncertain";
+    std::set<std::pair<std::size_t, std::size_t>> drawn;
+    for (const auto& entry : rows_) drawn.emplace(entry.second.cell, entry.second.method);
+    if (const std::string alarms = alarm_text(summary_, drawn); !alarms.empty()) data.footnote += "; " + alarms;
   }
 
+  const Summary& summary_;
   const Header& header_;
   const FigureSpec& spec_;
   FigureNames names_;

@@ -57,6 +57,7 @@ FigureNames::Quantity find_quantity(const Header& header, const FigureSpec& spec
     return {event.name, event.description, "1", true, false};
   }
   const MetricInfo& metric = schema.metrics[index];
+  if (metric.yes_no) return {metric.name, metric.description, metric.unit, true, false};
   const bool median = spec.statistic.empty() ? metric.heavy_tailed : spec.statistic == "median";
   return {metric.name, metric.description, metric.unit, false, median};
 }

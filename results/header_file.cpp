@@ -13,7 +13,9 @@ namespace {
 
 /// The yes-or-no properties of metrics and where they are stored.
 constexpr std::pair<const char*, bool MetricInfo::*> metric_flags[] = {
-    {"/metrics/heavy_tailed", &MetricInfo::heavy_tailed}, {"/metrics/whole_numbers", &MetricInfo::whole_numbers}};
+    {"/metrics/heavy_tailed", &MetricInfo::heavy_tailed},
+    {"/metrics/whole_numbers", &MetricInfo::whole_numbers},
+    {"/metrics/yes_no", &MetricInfo::yes_no}};
 
 // The kinds of a factor value in /axes/<i>/kind: the position of its type in FactorValue.
 static_assert(std::is_same_v<FactorValue, std::variant<std::int64_t, double, std::string>>);
@@ -132,6 +134,7 @@ void write_schema(hdf5::File& file, const Header& header) {
     for (const MetricInfo& metric : header.schema.metrics) values.push_back(metric.*flag ? 1 : 0);
     file.write(path, values);
   }
+  write_column(file, "/metrics/alarm", header.schema.metrics, &MetricInfo::alarm);
   file.create_group("/events");
   write_column(file, "/events/name", header.schema.events, &EventInfo::name);
   write_column(file, "/events/description", header.schema.events, &EventInfo::description);
@@ -146,10 +149,12 @@ void read_schema(const hdf5::File& file, Header& header) {
   read_column(file, "/metrics/unit", header.schema.metrics, &MetricInfo::unit);
   read_column(file, "/metrics/description", header.schema.metrics, &MetricInfo::description);
   for (const auto& [path, flag] : metric_flags) {
+    if (!file.contains(path)) continue;  // of a later minor version than the file
     const auto values = file.read<std::uint8_t>(path);
     require(values.size() == header.schema.metrics.size(), file, "the datasets of /metrics differ in length");
     for (std::size_t m = 0; m < values.size(); ++m) header.schema.metrics[m].*flag = values[m] != 0;
   }
+  if (file.contains("/metrics/alarm")) read_column(file, "/metrics/alarm", header.schema.metrics, &MetricInfo::alarm);
   read_column(file, "/events/name", header.schema.events, &EventInfo::name);
   read_column(file, "/events/description", header.schema.events, &EventInfo::description);
   header.schema.statuses = file.number_attribute("/events", "statuses");

@@ -61,6 +61,11 @@ Interval wilson_interval(std::uint64_t successes, std::uint64_t trials) {
   return {successes == 0 ? 0.0 : centre - half, successes == trials ? 1.0 : centre + half};
 }
 
+double upper_bound_of_none(std::uint64_t trials) {
+  if (trials == 0) return std::numeric_limits<double>::quiet_NaN();
+  return std::min(3.0 / static_cast<double>(trials), 1.0);
+}
+
 Interval quantile_interval(const Histogram& histogram, double q) {
   const double n = static_cast<double>(histogram.total());
   const double half = z * std::sqrt(n * q * (1.0 - q));

@@ -42,6 +42,10 @@ Interval mean_interval(const Moments& moments);
 /// Interval of a probability after `successes` of `trials` (Wilson 1927); NaN for no trials.
 Interval wilson_interval(std::uint64_t successes, std::uint64_t trials);
 
+/// One-sided 95 % upper bound of the probability of what has not happened in `trials` trials: 3 / n (the rule of three,
+/// -log 0.05 rounded up), at most 1; NaN for no trials.
+double upper_bound_of_none(std::uint64_t trials);
+
 /// Interval of the q quantile between the order statistics of rank n q -+ z sqrt(n q (1 - q)), widened to the
 /// enclosing ranks and read from the histogram (linear within a bin, like `Histogram::quantile`). NaN when
 /// empty; where a rank lies outside the sample, the end of the histogram stands for it.

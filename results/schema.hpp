@@ -41,6 +41,10 @@ struct MetricInfo {
   std::string description;
   bool heavy_tailed = false;   ///< tables and figures lead with the median, not the mean
   bool whole_numbers = false;  ///< values are counts: quantiles are whole numbers too
+  bool yes_no = false;         ///< values are 0 or 1: their mean is a rate with Wilson's interval, without quantiles
+  /// Not empty: a 1 of this yes-or-no metric means that something is wrong. Footnotes of figures say how often, after
+  /// this text.
+  std::string alarm = {};
 };
 
 /// A yes-or-no outcome per trial and method; its rate is reported.

@@ -68,9 +68,24 @@ void fill_quantiles(SummaryRow& row, const MetricInfo& info, const MetricStatist
   row.p50_hi = within(interval.hi);
 }
 
+void fill_rate(SummaryRow& row, std::uint64_t count) {
+  if (row.n == 0) return;
+  const double n = static_cast<double>(row.n);
+  row.mean = static_cast<double>(count) / n;
+  row.mcse = std::sqrt(row.mean * (1.0 - row.mean) / n);
+  const Interval interval = wilson_interval(count, row.n);
+  row.lo = interval.lo;
+  row.hi = interval.hi;
+  row.trusted = std::min(count, row.n - count) >= fewest_trusted;
+}
+
 SummaryRow metric_row(std::size_t cell, std::size_t method, const MetricInfo& info, const MetricStatistics& metric) {
   SummaryRow row = blank_row(cell, method, info.name, info.unit);
   row.n = metric.moments.n + metric.beyond;
+  if (info.yes_no) {
+    fill_rate(row, yes_count(metric));
+    return row;
+  }
   row.beyond = metric.beyond;
   fill_moments(row, metric);
   fill_quantiles(row, info, metric);
@@ -81,14 +96,7 @@ SummaryRow event_row(std::size_t cell, std::size_t method, const EventInfo& info
                      std::uint64_t trials) {
   SummaryRow row = blank_row(cell, method, info.name, "1");
   row.n = trials;
-  if (trials == 0) return row;
-  const double n = static_cast<double>(trials);
-  row.mean = static_cast<double>(count) / n;
-  row.mcse = std::sqrt(row.mean * (1.0 - row.mean) / n);
-  const Interval interval = wilson_interval(count, trials);
-  row.lo = interval.lo;
-  row.hi = interval.hi;
-  row.trusted = std::min(count, trials - count) >= fewest_trusted;
+  fill_rate(row, count);
   return row;
 }
 
@@ -112,6 +120,10 @@ Reported reported_by(const Summary& summary, std::size_t method) {
 }
 
 }  // namespace
+
+std::uint64_t yes_count(const MetricStatistics& metric) {
+  return static_cast<std::uint64_t>(std::llround(metric.moments.mean * static_cast<double>(metric.moments.n)));
+}
 
 std::vector<SummaryRow> summary_rows(const Summary& summary) {
   const Schema& schema = summary.header.schema;

@@ -10,8 +10,8 @@
 
 namespace ridgeloc::results {
 
-/// One metric or event of one method in one cell, with its error. Events are metrics with unit "1" whose mean
-/// is their rate. NaN stands where a quantity is not defined.
+/// One metric or event of one method in one cell, with its error. Events, and metrics that are yes or no,
+/// have unit "1" and their rate as mean. NaN stands where a quantity is not defined.
 struct SummaryRow {
   std::size_t cell = 0;
   std::size_t method = 0;
@@ -42,6 +42,9 @@ struct Summary {
     return statistics[cell * header.methods.size() + method];
   }
 };
+
+/// How many values of a yes-or-no metric are 1.
+std::uint64_t yes_count(const MetricStatistics& metric);
 
 /// Rows in order of cell, method, metric (metrics first, then events). A metric or event for which a method
 /// has no value in any cell is not reported by it and left out; where only this cell's population is empty,

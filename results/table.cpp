@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "results/interval.hpp"
 #include "results/text.hpp"
 
 namespace ridgeloc::results {
@@ -38,9 +39,32 @@ Cells event_cells(const SummaryRow& row) {
   return {row.metric, population_text(row), flagged(text_with_interval(row.mean, row.lo, row.hi), row), count, ""};
 }
 
-bool is_event(const Schema& schema, const std::string& name) {
-  return std::any_of(schema.events.begin(), schema.events.end(),
-                     [&](const EventInfo& event) { return event.name == name; });
+/// A population of a yes-or-no metric can be small, so that none seen says little: then the bound stands for the
+/// interval.
+Cells yes_no_cells(const SummaryRow& row) {
+  if (row.n == 0 || row.mean > 0.0) return event_cells(row);
+  return {row.metric, population_text(row), fmt::format("0 [<= {:.2g}]", upper_bound_of_none(row.n)), "0", ""};
+}
+
+enum class LineKind { Metric, YesNo, Event };
+
+LineKind kind_of(const Schema& schema, const std::string& name) {
+  for (const MetricInfo& metric : schema.metrics) {
+    if (metric.name == name) return metric.yes_no ? LineKind::YesNo : LineKind::Metric;
+  }
+  return LineKind::Event;
+}
+
+Cells line_cells(const SummaryRow& row, LineKind kind) {
+  switch (kind) {
+    case LineKind::YesNo:
+      return yes_no_cells(row);
+    case LineKind::Event:
+      return event_cells(row);
+    case LineKind::Metric:
+      break;
+  }
+  return metric_cells(row);
 }
 
 struct Block {
@@ -51,17 +75,18 @@ struct Block {
 
 std::vector<Block> blocks_of(const Summary& summary) {
   std::vector<Block> blocks;
-  bool in_events = false;
+  bool in_rates = false;
   for (const SummaryRow& row : summary_rows(summary)) {
     if (blocks.empty() || blocks.back().cell != row.cell || blocks.back().method != row.method) {
       blocks.push_back({row.cell, row.method, {}});
-      in_events = false;
+      in_rates = false;
     }
     std::vector<Cells>& lines = blocks.back().lines;
-    const bool event = is_event(summary.header.schema, row.metric);
-    if (lines.empty() || event != in_events) lines.push_back(event ? event_head : metric_head);
-    in_events = event;
-    lines.push_back(event ? event_cells(row) : metric_cells(row));
+    const LineKind kind = kind_of(summary.header.schema, row.metric);
+    const bool rate = kind != LineKind::Metric;
+    if (lines.empty() || rate != in_rates) lines.push_back(rate ? event_head : metric_head);
+    in_rates = rate;
+    lines.push_back(line_cells(row, kind));
   }
   return blocks;
 }
@@ -78,6 +103,7 @@ std::string line_text(const Cells& cells, const std::array<std::size_t, columns>
 }
 
 std::string heading(const Header& header) {
+  const bool any_yes_no = std::ranges::any_of(header.schema.metrics, &MetricInfo::yes_no);
   return fmt::format(
       "{}\n"
       "experiment {} (version {}), seed {}, {} trials per cell, study {}\n"
@@ -85,9 +111,10 @@ std::string heading(const Header& header) {
       "n = a+b: b values are infinite or above 1e6; they enter the median and p05 .. p95, not the mean\n"
       "!: the error itself is not reliable (fewer than 10 values or outcomes of a kind, heavy tails, or b > "
       "0)\n"
-      "Cells that share trials are not independent.\n",
+      "{}Cells that share trials are not independent.\n",
       header.title.empty() ? header.experiment : header.title, header.experiment, header.experiment_version,
-      header.seed, header.trials, header.study_hash.substr(0, 16));
+      header.seed, header.trials, header.study_hash.substr(0, 16),
+      any_yes_no ? "0 [<= u]: not seen once; with 95 % confidence the rate is at most u = 3 / n\n" : "");
 }
 
 }  // namespace

@@ -7,73 +7,105 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <algorithm>
+#include <Eigen/Eigenvalues>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "solvers/reference_trial.hpp"
 
 namespace ridgeloc::solvers {
 
 namespace {
 
-using Position = std::array<double, core::position_parameters>;
+using Vector = ReferenceTrial::Vector;
 
 constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
+constexpr double largest = std::numeric_limits<double>::max();
 
-struct Observation {
-  Position point;
-  double measured;
-  double score;
-};
-
-/// scale * (|point - x| - measured). Reports failure where it or its derivative is not finite, before Ceres
-/// would find out by itself and print a warning.
-struct ScaledRangeResidual {
-  Observation observation;
-  double scale;
+/// |point - x| minus what was measured. Reports failure where it or its derivative is not finite, before Ceres would
+/// find out by itself and print a warning.
+template <bool height_is_free, bool distance_is_free>
+struct ReferenceResidual {
+  static constexpr int unknowns = 2 + (height_is_free ? 1 : 0) + (distance_is_free ? 1 : 0);
+  const ReferenceTrial& trial;
+  const ReferenceObservation& observation;
 
   template <typename Real>
-  bool operator()(const Real* x, Real* residual) const {
+  bool operator()(const Real* u, Real* residual) const {
     using std::sqrt;
+    std::array<Real, core::position_parameters> position = {u[0], u[1], Real(trial.known_height())};
+    if constexpr (height_is_free) position[2] = u[2];
     Real squared(0.0);
     for (std::size_t axis = 0; axis < core::position_parameters; ++axis) {
-      const Real difference = observation.point[axis] - x[axis];
+      const Real difference = observation.point[axis] - position[axis];
       squared += difference * difference;
     }
-    if (!(squared > Real(0.0) && squared <= Real(std::numeric_limits<double>::max()))) return false;
-    *residual = scale * (sqrt(squared) - observation.measured);
+    if (!(squared > Real(0.0) && squared <= Real(largest))) return false;
+    if (!trial.has_images()) {
+      *residual = sqrt(squared) - observation.measured;
+      return true;
+    }
+    Real v(trial.start_distance());
+    if constexpr (distance_is_free) v = u[unknowns - 1] / trial.distance_scale();
+    const Real measured = observation.alpha * v * v + observation.measured;
+    if (!(measured > Real(0.0) && measured <= Real(largest))) return false;
+    *residual = sqrt(squared) - sqrt(measured);
     return true;
   }
 };
 
-/// One trial with its objective: weights and curvatures in closed form here, cost and gradient through Ceres.
-class Reference {
+/// v minus what it is thought to be.
+template <int Unknowns>
+struct PriorResidual {
+  const ReferenceTrial& trial;
+
+  template <typename Real>
+  bool operator()(const Real* u, Real* residual) const {
+    *residual = u[Unknowns - 1] / trial.distance_scale() - trial.start_distance();
+    return true;
+  }
+};
+
+class CeresLoss : public ceres::LossFunction {
  public:
-  Reference(const core::ProblemBatch& problems, std::size_t trial, ReferenceLoss loss, double theta)
-      : loss_(loss), theta_(theta), robust_(problems.points() > core::position_parameters) {
-    for (std::size_t j = 0; j < problems.points(); ++j) {
-      Observation observation;
-      for (std::size_t axis = 0; axis < core::position_parameters; ++axis) {
-        observation.point[axis] = problems.position(j, axis)[trial];
-      }
-      observation.measured = problems.measured(j)[trial];
-      observation.score = problems.has_scores() ? problems.score(j)[trial] : 1.0;
-      observations_.push_back(observation);
-    }
-    usable_ = is_usable();
-    if (usable_) build();
+  explicit CeresLoss(const RobustLoss& loss) : loss_(loss) {}
+  void Evaluate(double squared_residual, double out[3]) const override {
+    const auto values = loss_(squared_residual);
+    for (std::size_t i = 0; i < values.size(); ++i) out[i] = values[i];
   }
 
-  // Ceres keeps the address of x_.
+ private:
+  RobustLoss loss_;
+};
+
+/// One trial with its objective: cost and gradient through Ceres.
+class Reference {
+ public:
+  Reference(const core::ProblemBatch& problems, std::size_t trial, const ReferenceObjective& objective)
+      : trial_(problems, trial, objective), u_(Vector::Zero(trial_.unknowns())) {
+    if (!trial_.usable()) return;
+    problem_.AddParameterBlock(u_.data(), static_cast<int>(u_.size()));
+    if (trial_.height_is_free()) {
+      trial_.distance_is_free() ? add_residuals<true, true>(objective) : add_residuals<true, false>(objective);
+    } else {
+      trial_.distance_is_free() ? add_residuals<false, true>(objective) : add_residuals<false, false>(objective);
+    }
+  }
+
+  // Ceres keeps the address of u_, residuals that of trial_.
   Reference(const Reference&) = delete;
   Reference& operator=(const Reference&) = delete;
 
-  bool usable() const { return usable_; }
-  const Position& position() const { return x_; }
-  void move_to(const Position& x) { x_ = x; }
+  const ReferenceTrial& trial() const { return trial_; }
+  const Vector& unknowns() const { return u_; }
+  ReferencePlace place() const { return trial_.place_of(u_); }
+  void move_to(const ReferencePlace& place) { u_ = trial_.unknowns_of(place); }
+  void move_to(const Vector& u) { u_ = u; }
 
-  /// Ceres' own minimisation from the current position; returns the number of iterations.
-  int minimize() {
+  /// Ceres' own minimisation from the current place; returns the number of iterations.
+  int minimize(double tolerance) {
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
     options.num_threads = 1;
@@ -88,116 +120,82 @@ class Reference {
     return summary.iterations.empty() ? 0 : static_cast<int>(summary.iterations.size()) - 1;
   }
 
-  /// J'We at the current position; NaN where it is not defined. `cost` may be null.
-  Eigen::Vector3d gradient(double* cost) {
-    std::vector<double> values;
-    double unused = 0.0;
-    const bool ok = usable_ && problem_.Evaluate({}, cost != nullptr ? cost : &unused, nullptr, &values, nullptr);
-    if (ok) return {values[0], values[1], values[2]};
-    if (cost != nullptr) *cost = not_defined;
-    return Eigen::Vector3d::Constant(not_defined);
-  }
-
-  /// Second derivatives of the objective: sum psi'(e) u u' + psi(e) (I - u u') / r, u = (p - x) / r, psi(e) =
-  /// w e.
-  Eigen::Matrix3d hessian() const {
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    for (const auto& observation : observations_) {
-      const Eigen::Vector3d line = line_of_sight(observation);
-      const double range = line.norm();
-      const double residual = range - observation.measured;
-      const Eigen::Matrix3d along = line * line.transpose() / (range * range);
-      const double bending = weight(observation.score, residual) * residual / range;
-      sum += slope(observation.score, residual) * along + bending * (Eigen::Matrix3d::Identity() - along);
+  /// J'We at the current place, and the objective; NaN where it is not defined. Term by term, since
+  /// ceres::Problem::Evaluate prepares far longer than it computes.
+  Vector gradient(double* cost = nullptr) const {
+    Vector sum = Vector::Zero(u_.size());
+    double total = 0.0;
+    bool defined = trial_.usable();
+    for (std::size_t i = 0; i < terms_.size() && defined; ++i) {
+      double term = 0.0;
+      double residual = 0.0;
+      Vector row(u_.size());
+      double* rows[] = {row.data()};
+      defined = problem_.EvaluateResidualBlock(terms_[i], true, &term, &residual, rows);
+      sum += residual * row;
+      total += term;
     }
+    if (!defined) sum.setConstant(not_defined);
+    if (cost != nullptr) *cost = defined ? total : not_defined;
     return sum;
   }
 
-  double rounding_bound() const {
-    if (!usable_) return not_defined;
-    const double from_origin = Eigen::Vector3d::Map(x_.data()).norm();
-    double sum = 0.0;
-    for (const auto& observation : observations_) {
-      const double range = line_of_sight(observation).norm();
-      sum += weight(observation.score, range - observation.measured) *
-             (range + std::abs(observation.measured) + from_origin);
-    }
-    return 4.0 * std::numeric_limits<double>::epsilon() * sum;
+  /// Whether the current place is a strict local minimum to rounding.
+  bool at_minimum() const {
+    const Eigen::LLT<ReferenceTrial::Matrix> factor(trial_.hessian(u_));
+    return gradient().norm() <= rounding_bound() && factor.info() == Eigen::Success;
   }
+
+  double rounding_bound() const { return trial_.usable() ? trial_.rounding_bound(u_) : not_defined; }
 
  private:
-  // Newton's method does the last digits: Ceres has to come close enough only.
-  static constexpr double tolerance = 1e-13;
-  // Reweighting converges linearly: with 4 points and noise of 0.1 m the slowest of 10^4 trials took 16 000
-  // iterations until Newton's method could take over, the average one 27.
+  // Reweighting converges linearly: with 4 points and noise of 0.1 m the slowest of 10^4 trials took 16 000 iterations
+  // until Newton's method could take over, the average one 27.
   static constexpr int max_iterations = 20000;
 
-  bool huber() const { return loss_ == ReferenceLoss::HuberTheta && robust_; }
-
-  bool is_usable() const {
-    if (huber() && !(theta_ > 0.0 && std::isfinite(theta_))) return false;
-    return std::all_of(observations_.begin(), observations_.end(), [](const Observation& o) {
-      return std::all_of(o.point.begin(), o.point.end(), [](double v) { return std::isfinite(v); }) &&
-             std::isfinite(o.measured) && std::isfinite(o.score) && o.score >= 0.0;
-    });
+  ceres::LossFunction* inner_loss(const ReferenceObjective& objective) const {
+    if (trial_.loss().shape == LossShape::Squares) return nullptr;
+    if (objective.loss == ReferenceLoss::HuberTheta) return new ceres::HuberLoss(objective.theta_m);
+    return new CeresLoss(trial_.loss());
   }
 
-  void build() {
-    problem_.AddParameterBlock(x_.data(), core::position_parameters);
-    for (const auto& observation : observations_) {
-      const double scale = loss_ == ReferenceLoss::WeightedSquares ? observation.score : 1.0;
-      auto* residual = new ceres::AutoDiffCostFunction<ScaledRangeResidual, 1, core::position_parameters>(
-          new ScaledRangeResidual{observation, scale});
-      problem_.AddResidualBlock(residual, loss_function(observation.score), x_.data());
+  template <bool height_is_free, bool distance_is_free>
+  void add_residuals(const ReferenceObjective& objective) {
+    using Residual = ReferenceResidual<height_is_free, distance_is_free>;
+    constexpr int unknowns = Residual::unknowns;
+    for (const ReferenceObservation& o : trial_.observations()) {
+      terms_.push_back(problem_.AddResidualBlock(
+          new ceres::AutoDiffCostFunction<Residual, 1, unknowns>(new Residual{trial_, o}),
+          new ceres::ScaledLoss(inner_loss(objective), o.factor, ceres::TAKE_OWNERSHIP), u_.data()));
     }
+    if (!distance_is_free || trial_.prior_factor() == 0.0) return;
+    using Prior = PriorResidual<unknowns>;
+    terms_.push_back(problem_.AddResidualBlock(
+        new ceres::AutoDiffCostFunction<Prior, 1, unknowns>(new Prior{trial_}),
+        new ceres::ScaledLoss(nullptr, trial_.prior_factor(), ceres::TAKE_OWNERSHIP), u_.data()));
   }
 
-  ceres::LossFunction* loss_function(double score) const {
-    if (loss_ == ReferenceLoss::WeightedSquares) return nullptr;
-    ceres::LossFunction* inner = huber() ? new ceres::HuberLoss(theta_) : nullptr;
-    return new ceres::ScaledLoss(inner, huber() ? score / theta_ : score, ceres::TAKE_OWNERSHIP);
-  }
-
-  Eigen::Vector3d line_of_sight(const Observation& observation) const {
-    return Eigen::Vector3d::Map(observation.point.data()) - Eigen::Vector3d::Map(x_.data());
-  }
-
-  /// w in J'We.
-  double weight(double score, double residual) const {
-    if (loss_ == ReferenceLoss::WeightedSquares) return score * score;
-    return huber() ? score / std::max(theta_, std::abs(residual)) : score;
-  }
-
-  /// Derivative of psi(e) = w(e) e.
-  double slope(double score, double residual) const {
-    return huber() && std::abs(residual) > theta_ ? 0.0 : weight(score, residual);
-  }
-
-  ReferenceLoss loss_;
-  double theta_;
-  bool robust_;
-  bool usable_ = false;
-  std::vector<Observation> observations_;
-  Position x_{};
+  ReferenceTrial trial_;
+  Vector u_;
   ceres::Problem problem_;
+  std::vector<ceres::ResidualBlockId> terms_;
 };
 
-/// Newton's method on J'We = 0 from the current position: a step is halved until the gradient norm falls
-/// (with Huber's loss a full one can overshoot a kink) and the method ends where no step lowers it any more.
+/// Newton's method on J'We = 0 from the current place: a step is halved until the gradient norm falls (with Huber's
+/// loss a full one can overshoot a kink) and the method ends where no step lowers it any more.
 void refine(Reference& reference) {
   constexpr int max_steps = 50;
   constexpr int max_halvings = 20;
-  Eigen::Vector3d gradient = reference.gradient(nullptr);
+  Vector gradient = reference.gradient();
   for (int step = 0; step < max_steps; ++step) {
-    const Eigen::LLT<Eigen::Matrix3d> factor(reference.hessian());
+    const Eigen::LLT<ReferenceTrial::Matrix> factor(reference.trial().hessian(reference.unknowns()));
     if (factor.info() != Eigen::Success) return;
-    const Position before = reference.position();
-    const Eigen::Vector3d full_step = factor.solve(gradient);
-    Eigen::Vector3d next = gradient;
+    const Vector before = reference.unknowns();
+    const Vector full_step = factor.solve(gradient);
+    Vector next = gradient;
     for (int halving = 0; halving <= max_halvings && !(next.norm() < gradient.norm()); ++halving) {
-      const Eigen::Vector3d moved = Eigen::Vector3d::Map(before.data()) - std::ldexp(1.0, -halving) * full_step;
-      reference.move_to({moved[0], moved[1], moved[2]});
-      next = reference.gradient(nullptr);
+      reference.move_to(Vector(before - std::ldexp(1.0, -halving) * full_step));
+      next = reference.gradient();
     }
     if (!(next.norm() < gradient.norm())) {
       reference.move_to(before);
@@ -209,39 +207,75 @@ void refine(Reference& reference) {
 
 }  // namespace
 
-Minimizer minimize(const core::ProblemBatch& problems, std::size_t trial, const Position& start, ReferenceLoss loss,
-                   double theta_m) {
+Minimizer minimize(const core::ProblemBatch& problems, std::size_t trial, const ReferencePlace& start,
+                   const ReferenceObjective& objective) {
   Minimizer result;
-  result.estimate = start;
+  result.estimate = start.position;
+  result.image_distance_mm = start.image_distance_mm;
   result.cost = not_defined;
   result.gradient_norm = not_defined;
 
-  Reference reference(problems, trial, loss, theta_m);
+  Reference reference(problems, trial, objective);
   reference.move_to(start);
-  if (!reference.gradient(nullptr).allFinite()) return result;
+  if (!reference.gradient().allFinite()) return result;
 
-  result.iterations = reference.minimize();
-  refine(reference);
-  result.estimate = reference.position();
+  // Newton's method does the last digits: Ceres has to come close enough only. Where the first tolerance was too wide
+  // for that (kinks, slow convergence), it goes on from where it was to the second.
+  for (const double tolerance : {1e-8, 1e-13}) {
+    result.iterations += reference.minimize(tolerance);
+    const ReferencePlace before = reference.place();
+    refine(reference);
+    result.converged = reference.at_minimum();
+    if (result.converged) break;
+    reference.move_to(before);
+  }
+  if (!result.converged) refine(reference);
+  const ReferencePlace place = reference.place();
+  result.estimate = place.position;
+  result.image_distance_mm = place.image_distance_mm;
   result.gradient_norm = reference.gradient(&result.cost).norm();
-  result.converged = result.gradient_norm <= reference.rounding_bound() &&
-                     Eigen::LLT<Eigen::Matrix3d>(reference.hessian()).info() == Eigen::Success;
   return result;
 }
 
-Position gradient(const core::ProblemBatch& problems, std::size_t trial, const Position& estimate, ReferenceLoss loss,
-                  double theta_m) {
-  Reference reference(problems, trial, loss, theta_m);
+std::array<double, 4> gradient(const core::ProblemBatch& problems, std::size_t trial, const ReferencePlace& estimate,
+                               const ReferenceObjective& objective) {
+  Reference reference(problems, trial, objective);
   reference.move_to(estimate);
-  const Eigen::Vector3d value = reference.gradient(nullptr);
-  return {value[0], value[1], value[2]};
+  const Vector value = reference.gradient();
+  const ReferenceTrial& view = reference.trial();
+  return {value[0], value[1], view.height_is_free() ? value[2] : 0.0,
+          view.distance_is_free() ? value[value.size() - 1] * view.distance_scale() : 0.0};
 }
 
-double gradient_rounding_bound(const core::ProblemBatch& problems, std::size_t trial, const Position& estimate,
-                               ReferenceLoss loss, double theta_m) {
-  Reference reference(problems, trial, loss, theta_m);
+double gradient_rounding_bound(const core::ProblemBatch& problems, std::size_t trial, const ReferencePlace& estimate,
+                               const ReferenceObjective& objective) {
+  Reference reference(problems, trial, objective);
   reference.move_to(estimate);
   return reference.rounding_bound();
+}
+
+ReferenceStep undamped_step(const core::ProblemBatch& problems, std::size_t trial, const ReferencePlace& estimate,
+                            const ReferenceObjective& objective) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  constexpr double largest_amplification = 1e12;
+  ReferenceStep result{not_defined, not_defined, not_defined, not_defined};
+  Reference reference(problems, trial, objective);
+  reference.move_to(estimate);
+  const Vector gradient = reference.gradient(&result.cost);
+  if (!gradient.allFinite()) return result;
+  const double bound = reference.rounding_bound();
+
+  const ReferenceTrial& view = reference.trial();
+  result.cost_error = view.cost_rounding(reference.unknowns());
+  const Eigen::SelfAdjointEigenSolver<ReferenceTrial::Matrix> solver(view.normal_matrix(reference.unknowns()));
+  const Vector lambda = solver.eigenvalues();
+  double amplification = 1.0;
+  for (const double value : lambda) amplification *= lambda[lambda.size() - 1] / value;
+  if (!(lambda[0] > 0.0 && amplification <= largest_amplification)) return result;
+  const Vector step = solver.eigenvectors() * (solver.eigenvectors().transpose() * gradient).cwiseQuotient(lambda);
+  result.step_m = step.head(view.height_is_free() ? 3 : 2).norm();
+  result.step_error_m = bound / lambda[0] + 100.0 * epsilon * amplification * step.norm();
+  return result;
 }
 
 }  // namespace ridgeloc::solvers

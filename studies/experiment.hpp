@@ -36,6 +36,14 @@ struct TrialRange {
   std::size_t count = 0;
 };
 
+/// What of a study, besides cell and methods, its numbers depend on.
+struct StudyKey {
+  std::uint64_t seed = 0;
+  double audit = 0.0;  ///< `Study::audit`
+
+  StudyKey(std::uint64_t study_seed, double audit_share = 0.0) : seed(study_seed), audit(audit_share) {}
+};
+
 /// Scratch memory of one thread, kept from block to block, and the instruction set that the thread computes with.
 class Workspace {
  public:
@@ -71,6 +79,9 @@ class Experiment {
   /// Refuses settings of a cell that cannot stand together: throws core::InputError that says which and why.
   virtual void check(const Values& cell) const = 0;
 
+  /// How many of the metrics are reported only if there is an audit.
+  virtual std::size_t audit_metrics() const { return 0; }
+
   /// The end of a template study: a [sweep], [[method]]s and a [[figure]] worth starting from.
   virtual std::string_view example() const = 0;
 
@@ -84,10 +95,10 @@ class Experiment {
   /// Scratch memory for one thread. Precondition: core::is_supported(isa).
   virtual std::unique_ptr<Workspace> make_workspace(core::Isa isa) const = 0;
 
-  /// Simulates and solves a range of trials of one cell and hands every column to `sink`. A pure function of (seed,
+  /// Simulates and solves a range of trials of one cell and hands every column to `sink`. A pure function of (key,
   /// cell, methods, range, instruction set): no clock, no thread, no state between calls. Thread safe for distinct
   /// workspaces.
-  virtual void run_block(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, TrialRange range,
+  virtual void run_block(const StudyKey& key, const Cell& cell, std::span<const Method> methods, TrialRange range,
                          Workspace& workspace, results::BlockSink& sink) const = 0;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "studies/audit.hpp"
+
 namespace ridgeloc::studies {
 
 Pilot run_pilot(const Study& study, const Plan& plan, double budget_s) {
@@ -18,15 +20,25 @@ Pilot run_pilot(const Study& study, const Plan& plan, double budget_s) {
     std::uint64_t trials = 0;
     for (const Cell& cell : plan.cells) {
       const auto cell_begin = Clock::now();
-      results::BlockSink sink(plan.header, cell.index, 0, count);
-      study.experiment->run_block(study.seed, cell, study.methods, {0, static_cast<std::size_t>(count)}, *workspace,
-                                  sink);
+      // Of the second block: the first trials of all are audited, which would cost more than the rest.
+      results::BlockSink sink(plan.header, cell.index, 1, count);
+      study.experiment->run_block({study.seed, study.audit}, cell, study.methods,
+                                  {plan.header.block_trials, static_cast<std::size_t>(count)}, *workspace, sink);
       seconds += seconds_since(cell_begin);
       trials += count;
     }
     // The last round is the longest and so the least disturbed by what happens once.
     pilot.seconds_per_trial = seconds / static_cast<double>(trials);
     pilot.trials += trials;
+  }
+  if (study.audit > 0.0) {
+    const std::uint64_t first = std::min(study.trials, always_audited);
+    const auto first_begin = Clock::now();
+    results::BlockSink sink(plan.header, 0, 0, first);
+    study.experiment->run_block({study.seed, study.audit}, plan.cells[0], study.methods,
+                                {0, static_cast<std::size_t>(first)}, *workspace, sink);
+    pilot.seconds_per_cell =
+        std::max(seconds_since(first_begin) - pilot.seconds_per_trial * static_cast<double>(first), 0.0);
   }
   return pilot;
 }

@@ -8,11 +8,13 @@ namespace ridgeloc::studies {
 /// What a few blocks, run now, say about the cost of the whole study.
 struct Pilot {
   double seconds_per_trial = 0.0;  ///< of one thread, averaged over the cells
+  double seconds_per_cell = 0.0;   ///< what the audit of the first trials adds, of the first cell
   std::uint64_t trials = 0;        ///< trials that were run to find out
 };
 
-/// Runs the beginning of each cell on one thread, round by round with growing numbers of trials, until `budget_s` is
-/// used up; every cell is run at least once, with 16 trials. Keeps no result.
+/// Runs trials of the second block of each cell on one thread, round by round with growing numbers of trials, until
+/// `budget_s` is used up; every cell is run at least once, with 16 trials. Then the first trials of the first cell,
+/// which are all audited. Keeps no result.
 Pilot run_pilot(const Study& study, const Plan& plan, double budget_s);
 
 }  // namespace ridgeloc::studies

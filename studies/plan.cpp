@@ -90,8 +90,9 @@ std::vector<Cell> make_cells(const Study& study) {
 /// What changes every number and is neither swept nor a method's own. Trials, figures and titles are not part of it, so
 /// a longer or wider study continues an old result.
 std::string study_content(const Study& study) {
-  std::string content = fmt::format("experiment = {} version {}\nseed = {}\nblock = {}\n", study.experiment->name(),
-                                    study.experiment->version(), study.seed, study.experiment->block_trials());
+  std::string content = fmt::format("experiment = {} version {}\nseed = {}\nblock = {}\naudit = {}\n",
+                                    study.experiment->name(), study.experiment->version(), study.seed,
+                                    study.experiment->block_trials(), to_toml(Value(study.audit)));
   for (const Setting& setting : study.experiment->settings()) {
     const auto value = study.fixed.find(setting.name);
     if (setting.per_method || value == study.fixed.end()) continue;
@@ -177,7 +178,8 @@ Plan make_plan(const Study& study, core::Isa isa) {
 
 std::uint64_t bytes_per_trial(const Study& study) {
   const results::Schema& schema = study.experiment->schema();
-  const std::uint64_t columns = schema.metrics.size() * sizeof(double) + sizeof(std::uint8_t);
+  const std::size_t absent = study.audit > 0.0 ? 0 : study.experiment->audit_metrics();
+  const std::uint64_t columns = (schema.metrics.size() - absent) * sizeof(double) + sizeof(std::uint8_t);
   return columns * (study.methods.size() + study.experiment->extra_labels().size());
 }
 

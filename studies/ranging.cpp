@@ -9,6 +9,7 @@
 #include "core/solution.hpp"
 #include "sim/kernels.hpp"
 #include "solvers/solver.hpp"
+#include "studies/audit.hpp"
 #include "studies/ranging_settings.hpp"
 #include "studies/solver_settings.hpp"
 
@@ -30,7 +31,8 @@ enum Metric : std::size_t {
   CrbM,
   Gdop,
   Condition,
-  SquaredErrorM2
+  SquaredErrorM2,
+  FirstOfAudit  ///< and the others, in the order of AuditMetric
 };
 
 results::Schema make_schema() {
@@ -48,6 +50,7 @@ results::Schema make_schema() {
       {"condition", "1", "condition number of J'J at the truth", true},
       {"squared_error_m2", "m2", "squared position error of all trials", true},
   };
+  for (results::MetricInfo& metric : studies::audit_metrics()) schema.metrics.push_back(std::move(metric));
   for (const std::string_view status : core::status_names) {
     schema.events.push_back({std::string(status), "trials that ended as " + std::string(status)});
   }
@@ -69,6 +72,7 @@ struct Scratch : Workspace {
   std::vector<double> values;
   std::vector<double> condition;
   std::vector<std::uint8_t> flags;
+  Audit::Columns audit;
 };
 
 class Ranging : public Experiment {
@@ -97,6 +101,8 @@ class Ranging : public Experiment {
           "scene.azimuth_deg and scene.elevation_deg within -90 to 90, ends excluded");
     }
   }
+
+  std::size_t audit_metrics() const override { return audit_metric_count; }
 
   std::string_view example() const override {
     return R"([sweep]
@@ -139,10 +145,11 @@ methods = ["ols", "rr", "rrr"]
 
   std::unique_ptr<Workspace> make_workspace(core::Isa isa) const override { return std::make_unique<Scratch>(isa); }
 
-  void run_block(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, TrialRange range,
+  void run_block(const StudyKey& key, const Cell& cell, std::span<const Method> methods, TrialRange range,
                  Workspace& workspace, results::BlockSink& sink) const override {
     auto& scratch = static_cast<Scratch&>(workspace);
     const RangingCell settings(cell.values);
+    const std::uint64_t seed = key.seed;
 
     scratch.problems.reshape(settings.points, range.count);
     const sim::Kernels scene = sim::kernels(scratch.isa);
@@ -169,6 +176,7 @@ methods = ["ols", "rr", "rrr"]
     oracle.k_error = core::Stream(seed, "k_error");
     oracle.first_trial = range.first;
 
+    Audit audit(scratch.problems, oracle, AuditSample(key).slots(range));
     for (std::size_t m = 0; m < methods.size(); ++m) {
       solvers::SolverOptions options = solver_options(cell.values, methods[m].given);
       options.z_mode = settings.z_mode;
@@ -177,6 +185,11 @@ methods = ["ols", "rr", "rrr"]
       const auto read = settings_of_solver(methods[m].solver);
       const bool reads_k = std::ranges::find(read, "k") != read.end();
       report_method(m, options, reads_k, scratch, sink);
+      if (key.audit > 0.0 && Audit::covers(methods[m].solver, options)) {
+        audit.fill(methods[m].solver, options, scratch.solutions, scratch.audit);
+        for (std::size_t i = 0; i < audit_metric_count; ++i)
+          sink.sparse_metric(m, FirstOfAudit + i, audit.slots(), scratch.audit[i]);
+      }
     }
     solvers::SolverOptions shared = solver_options(cell.values, {});
     shared.z_mode = settings.z_mode;

@@ -52,7 +52,7 @@ RunOutcome run_study(const Study& study, const Plan& plan, const std::filesystem
       } else {
         const TrialRange range = plan.range(block);
         results::BlockSink& sink = sinks.emplace_back(plan.header, cell.index, block, range.count);
-        experiment.run_block(study.seed, cell, study.methods, range, *workspaces.local(), sink);
+        experiment.run_block({study.seed, study.audit}, cell, study.methods, range, *workspaces.local(), sink);
         computed.fetch_add(1, std::memory_order_relaxed);
         progress.trials_done.fetch_add(range.count, std::memory_order_relaxed);
       }

@@ -23,6 +23,7 @@ struct Study {
   const Experiment* experiment = nullptr;
   std::uint64_t seed = 2018;
   std::uint64_t trials = 100;       ///< per cell
+  double audit = 1e-4;              ///< share of the trials that the reference solves again; 0: none at all
   double trial_columns_mib = 64.0;  ///< per-trial columns kept of each cell
   Values fixed;                     ///< every setting that is not swept
   std::vector<SweepAxis> sweep;

@@ -31,6 +31,7 @@ const Setting& study_setting(std::string_view name) {
        "1",
        "trials per cell",
        false},
+      {"", "audit", Kind::Real, 1e-4, 0, 1, {}, "1", "share of the trials that Ceres solves again", false},
       {"store", "trial_columns_mib", Kind::Real, 64.0, 0, 1e6, {}, "MiB", "per-trial columns kept of each cell", false},
   };
   return *std::ranges::find(settings, name, &Setting::name);
@@ -135,7 +136,8 @@ Study read_study(const StudySource& source, std::span<const std::string> overrid
   study.name = source.name;
   study.experiment = &read_experiment(document, source.origin);
 
-  std::vector<std::string> allowed = {"title", "experiment", "seed", "trials", "store", "sweep", "method", "figure"};
+  std::vector<std::string> allowed = {"title", "experiment", "seed",   "trials", "audit",
+                                      "store", "sweep",      "method", "figure"};
   const auto sections = section_names(*study.experiment);
   allowed.insert(allowed.end(), sections.begin(), sections.end());
   check_keys(document, "the study", allowed);
@@ -148,6 +150,9 @@ Study read_study(const StudySource& source, std::span<const std::string> overrid
   if (const toml::node* trials = document.get("trials")) {
     study.trials =
         static_cast<std::uint64_t>(std::get<std::int64_t>(read_setting(*trials, study_setting("trials"), "trials")));
+  }
+  if (const toml::node* audit = document.get("audit")) {
+    study.audit = std::get<double>(read_setting(*audit, study_setting("audit"), "audit"));
   }
   if (const toml::node* store = document.get("store")) {
     const toml::table& table = read_table(*store, "[store]");

@@ -92,11 +92,29 @@ TEST_CASE("summary shows every cell, method and failure with its error") {
   CHECK(contains(outcome.out, "crb_m"));
 }
 
+TEST_CASE("the audit shows in the summary, and can be switched off") {
+  const WithResult folder;
+  // 4 cells of 40 trials, all of them audited; rrr and lm.
+  const std::string table = folder.ridgeloc("summary result.h5").out;
+  CHECK(contains(table, "ref_gap_m [m]"));
+  CHECK(contains(table, "ref_converged"));
+  std::size_t quiet = 0;
+  for (const std::string& line : lines_of(table))
+    quiet += contains(line, "ref_disagrees") && contains(line, "0 [<= 0.0");
+  CHECK(quiet == 8);
+  REQUIRE(folder.ridgeloc("run study.toml --audit 0 -o quiet.h5").exit_code == 0);
+  CHECK_FALSE(contains(folder.ridgeloc("summary quiet.h5").out, "ref_"));
+  CHECK(folder.ridgeloc("run study.toml -o result.h5 --audit 0.5").exit_code == 2);  // another study
+  const auto refused = folder.ridgeloc("run study.toml --audit 2 -o x.h5");
+  CHECK(refused.exit_code == 2);
+  CHECK(contains(refused.error, "audit = 2 is not allowed"));
+}
+
 TEST_CASE("export writes the long form, a row per cell, method and metric") {
   const WithResult folder;
   const auto lines = lines_of(folder.ridgeloc("export result.h5 --csv").out);
-  // 4 cells; rrr: 8 metrics and 6 events, lm: 5 (no K) and 6, scene: 3.
-  REQUIRE(lines.size() == 1 + 4 * (14 + 11 + 3));
+  // 4 cells; rrr: 8 metrics, 6 of the audit and 6 events, lm: 5 (no K), 6 and 6, scene: 3.
+  REQUIRE(lines.size() == 1 + 4 * (20 + 17 + 3));
   CHECK(lines[0].starts_with(
       "points,range_sigma_m,method,metric,unit,n,mean,mcse,sd,min,p05,p25,p50,p75,p95,max,lo,hi,trusted"));
   CHECK(lines[1].starts_with("3,0.1,rrr,error_m,m,"));
@@ -110,7 +128,8 @@ TEST_CASE("export writes a row per trial with every metric") {
   REQUIRE(lines.size() == 1 + 4 * 3 * 40);
   CHECK(lines[0] ==
         "points,range_sigma_m,trial,method,status,error_m,error_all_m,iterations,eta_first,eta_last,eta_mean,"
-        "residual_rms_m,crb_m,gdop,condition,squared_error_m2");
+        "residual_rms_m,crb_m,gdop,condition,squared_error_m2,ref_gap_m,ref_objective_gap,ref_converged,"
+        "ref_same_basin,ref_truth_basin,ref_disagrees");
   CHECK(lines[1].starts_with("3,0.1,0,rrr,"));
   CHECK(lines[40].starts_with("3,0.1,39,rrr,"));
   CHECK(lines[41].starts_with("3,0.1,0,lm,"));

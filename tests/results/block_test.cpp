@@ -64,9 +64,39 @@ TEST_CASE("the digest of a method changes with every value it was given") {
   CHECK(digest(1, 1, 0.5, 1) != reference);
 }
 
+TEST_CASE("a metric of few trials is reduced and kept as its full column would be") {
+  const std::vector<std::size_t> trials = {1, 3};
+  const std::vector<double> values = {0.5, 2.0};
+  BlockSink sink(test::sample_header(), 1, 0, 5);
+  sink.sparse_metric(0, 1, trials, values);
+  const auto digest = [&](std::vector<std::size_t> which, std::vector<double> what, std::size_t metric) {
+    BlockSink other(test::sample_header(), 1, 0, 5);
+    other.sparse_metric(0, metric, which, what);
+    return other.take_rows()[0].digests.at(0);
+  };
+  const std::vector<TrialColumns> kept = sink.take_columns();
+  REQUIRE(kept.size() == 1);
+  REQUIRE(kept[0].metrics[1].size() == 5);
+  CHECK(kept[0].metrics[1][1] == 0.5);
+  CHECK(kept[0].metrics[1][3] == 2.0);
+  for (const std::size_t t : {0, 2, 4}) CHECK(std::isnan(kept[0].metrics[1][t]));
+  const std::vector<Row> rows = sink.take_rows();
+  CHECK(rows[0].statistics.metrics[1] == statistics_of(values));
+  CHECK(digest({1, 3}, {0.5, 2.0}, 1) == rows[0].digests.at(0));
+  CHECK(digest({1, 4}, {0.5, 2.0}, 1) != rows[0].digests.at(0));
+  CHECK(digest({1, 3}, {0.5, 2.5}, 1) != rows[0].digests.at(0));
+  CHECK(digest({1, 3}, {0.5, 2.0}, 0) != rows[0].digests.at(0));
+  // None at all: the block still reports the metric.
+  BlockSink empty(test::sample_header(), 1, 0, 5);
+  empty.sparse_metric(0, 1, {}, {});
+  CHECK(empty.take_columns()[0].metrics[1].size() == 5);
+}
+
 TEST_CASE("misuse of a block is refused") {
   BlockSink sink(test::sample_header(), 1, 0, 4);
   CHECK_THROWS_AS(sink.metric(0, 0, std::vector<double>(3)), std::invalid_argument);
+  CHECK_THROWS_AS(sink.sparse_metric(0, 0, std::vector<std::size_t>{4}, std::vector<double>(1)), std::invalid_argument);
+  CHECK_THROWS_AS(sink.sparse_metric(0, 0, std::vector<std::size_t>{3}, std::vector<double>(2)), std::invalid_argument);
   CHECK_THROWS_AS(sink.status(0, std::vector<std::uint8_t>(4, 3)), std::invalid_argument);
   CHECK_THROWS_AS(sink.event(0, 1, flags), std::invalid_argument);
   CHECK_THROWS_AS(sink.event(0, 4, flags), std::invalid_argument);

@@ -48,6 +48,8 @@ TEST_CASE("a sealed result gives back its header") {
     CHECK(read.schema.metrics[m].description == header.schema.metrics[m].description);
     CHECK(read.schema.metrics[m].heavy_tailed == header.schema.metrics[m].heavy_tailed);
     CHECK(read.schema.metrics[m].whole_numbers == header.schema.metrics[m].whole_numbers);
+    CHECK(read.schema.metrics[m].yes_no == header.schema.metrics[m].yes_no);
+    CHECK(read.schema.metrics[m].alarm == header.schema.metrics[m].alarm);
   }
   REQUIRE(read.schema.events.size() == header.schema.events.size());
   CHECK(read.schema.events[2].name == "diverged");

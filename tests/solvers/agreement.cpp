@@ -66,7 +66,7 @@ Agreement compare_with_ceres(const char* solver, std::size_t trials, std::size_t
   for (std::size_t t = 0; t < trials; ++t) {
     if (status(s, t) != core::Status::Converged) continue;
     ++a.converged;
-    const auto minimizer = solvers::minimize(problems, t, start_of(problems, t), loss, theta_m);
+    const auto minimizer = solvers::minimize(problems, t, start_of(problems, t), {loss, theta_m});
     if (!minimizer.converged) continue;
     ++a.reference;
     const double gap = distance(estimate(s, t), minimizer.estimate);
@@ -75,8 +75,8 @@ Agreement compare_with_ceres(const char* solver, std::size_t trials, std::size_t
     const Eigen::Vector3d lambda = eigenvalues(problems, t, minimizer.estimate, robust);
     if (lambda(2) > max_condition * lambda(0)) continue;
     ++a.conditioned;
-    const auto g = solvers::gradient(problems, t, estimate(s, t), loss, theta_m);
-    const double bound = solvers::gradient_rounding_bound(problems, t, estimate(s, t), loss, theta_m) +
+    const auto g = solvers::gradient(problems, t, estimate(s, t), {loss, theta_m});
+    const double bound = solvers::gradient_rounding_bound(problems, t, estimate(s, t), {loss, theta_m}) +
                          lambda(2) * largest_gap_allowed_m;
     a.arrived += gap <= largest_gap_allowed_m ? 1 : 0;
     a.largest_gap_m = std::max(a.largest_gap_m, gap);
@@ -92,7 +92,7 @@ std::vector<StepAtMinimizer> steps_at_minimizer(const char* solver, std::size_t 
   core::ProblemBatch problems = scenes(trials, points, sigma_m);
   std::vector<solvers::Minimizer> minimizers;
   for (std::size_t t = 0; t < trials; ++t) {
-    minimizers.push_back(solvers::minimize(problems, t, start_of(problems, t), loss, theta_m));
+    minimizers.push_back(solvers::minimize(problems, t, start_of(problems, t), {loss, theta_m}));
     for (std::size_t axis = 0; axis < 3; ++axis) problems.start(axis)[t] = minimizers[t].estimate[axis];
   }
   const std::vector<double> origin(trials, 0.0);
@@ -118,7 +118,7 @@ std::vector<StepAtMinimizer> steps_at_minimizer(const char* solver, std::size_t 
         continue;
       }
       const double step = distance(estimate(s, t), minimizers[t].estimate);
-      const double bound = solvers::gradient_rounding_bound(problems, t, minimizers[t].estimate, loss, theta_m) /
+      const double bound = solvers::gradient_rounding_bound(problems, t, minimizers[t].estimate, {loss, theta_m}) /
                            eigenvalues(problems, t, minimizers[t].estimate, robust)(0);
       result.largest_step_m = std::max(result.largest_step_m, step);
       result.largest_ratio = std::max(result.largest_ratio, step / bound);

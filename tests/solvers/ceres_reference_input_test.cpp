@@ -48,8 +48,8 @@ TEST_CASE("unusable input and far starts end quietly", "[ceres_reference]") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const auto fails = [](const Scene& scene, const Position& start, ReferenceLoss loss, double width) {
-    return !solvers::minimize(scene.batch, 0, start, loss, width).converged &&
-           std::isnan(solvers::gradient(scene.batch, 0, start, loss, width)[0]);
+    return !solvers::minimize(scene.batch, 0, start, {loss, width}).converged &&
+           std::isnan(solvers::gradient(scene.batch, 0, start, {loss, width})[0]);
   };
   bool all_fail = true;
   bool far_is_sane = true;
@@ -75,7 +75,7 @@ TEST_CASE("unusable input and far starts end quietly", "[ceres_reference]") {
       all_fail = all_fail && fails(good, on_point, loss, theta);
       all_fail = all_fail && fails(good, {1e200, 0.0, 0.0}, loss, theta);
       for (const double distance : {1e3, 1e6, 1e12, 1e150}) {
-        const auto found = solvers::minimize(good.batch, 0, {distance, -distance, distance}, loss, theta);
+        const auto found = solvers::minimize(good.batch, 0, Position{distance, -distance, distance}, {loss, theta});
         far_is_sane = far_is_sane && std::isfinite(found.estimate[0]) &&
                       (!found.converged || std::hypot(found.estimate[0], found.estimate[1], found.estimate[2]) < 100.0);
       }

@@ -18,7 +18,8 @@ namespace {
 constexpr double theta = 0.05;
 constexpr auto both = {ReferenceLoss::WeightedSquares, ReferenceLoss::HuberTheta};
 
-Eigen::Vector3d vector(const Position& x) {
+template <std::size_t N>
+Eigen::Vector3d vector(const std::array<double, N>& x) {
   return {x[0], x[1], x[2]};
 }
 
@@ -58,8 +59,8 @@ Eigen::Matrix3d hessian(const Scene& scene, const Position& x, ReferenceLoss los
     Position down = x;
     up[axis] += h;
     down[axis] -= h;
-    result.col(static_cast<Eigen::Index>(axis)) = (vector(solvers::gradient(scene.batch, 0, up, loss, theta)) -
-                                                   vector(solvers::gradient(scene.batch, 0, down, loss, theta))) /
+    result.col(static_cast<Eigen::Index>(axis)) = (vector(solvers::gradient(scene.batch, 0, up, {loss, theta})) -
+                                                   vector(solvers::gradient(scene.batch, 0, down, {loss, theta}))) /
                                                   (2 * h);
   }
   return result;
@@ -101,11 +102,11 @@ TEST_CASE("without noise the truth is the minimiser", "[ceres_reference]") {
       CAPTURE(points, static_cast<int>(loss));
       // Near enough to the truth that no second minimum (3 points have a mirror image) is in the way.
       const Position near{scene.truth[0] + 0.1, scene.truth[1] - 0.1, scene.truth[2] + 0.1};
-      const auto found = solvers::minimize(scene.batch, 0, near, loss, theta);
+      const auto found = solvers::minimize(scene.batch, 0, near, {loss, theta});
       REQUIRE(found.converged);
       // The measured ranges are rounded, as the estimate is: gradients of twice the bound, divided by the
       // curvature.
-      const double bound = solvers::gradient_rounding_bound(scene.batch, 0, scene.truth, loss, theta);
+      const double bound = solvers::gradient_rounding_bound(scene.batch, 0, scene.truth, {loss, theta});
       const double gap = (vector(found.estimate) - vector(scene.truth)).norm();
       CHECK(gap <= 2 * bound / curvatures(scene, scene.truth, loss)[0]);
     }
@@ -132,7 +133,7 @@ TEST_CASE("the gradient is the derivative of the objective", "[ceres_reference]"
         const double rounding =
             static_cast<double>(std::numeric_limits<long double>::epsilon() * objective(scene, x, loss)) *
             static_cast<double>(points) / h;
-        const auto gradient = solvers::gradient(scene.batch, 0, x, loss, theta);
+        const auto gradient = solvers::gradient(scene.batch, 0, x, {loss, theta});
         for (std::size_t axis = 0; axis < 3; ++axis) {
           Position up = x;
           Position down = x;
@@ -156,7 +157,7 @@ TEST_CASE("the minimiser is the one that direct search finds", "[ceres_reference
     for (const auto loss : both) {
       const Scene scene = make_scene(points, 0.1, 20 + points);
       CAPTURE(points, static_cast<int>(loss));
-      const auto found = solvers::minimize(scene.batch, 0, scene.truth, loss, theta);
+      const auto found = solvers::minimize(scene.batch, 0, scene.truth, {loss, theta});
       REQUIRE(found.converged);
       const Position searched = compass_search(scene, scene.truth, loss, step);
       const Eigen::Vector3d curvature = curvatures(scene, found.estimate, loss);
@@ -172,8 +173,8 @@ TEST_CASE("the minimiser is the one that direct search finds", "[ceres_reference
 TEST_CASE("weights are Huber's only with more points than unknowns", "[ceres_reference]") {
   for (const std::size_t points : {3u, 4u, 5u}) {
     const Scene scene = make_scene(points, 0.5, 30 + points);
-    const auto narrow = solvers::gradient(scene.batch, 0, scene.start, ReferenceLoss::HuberTheta, 0.05);
-    const auto wide = solvers::gradient(scene.batch, 0, scene.start, ReferenceLoss::HuberTheta, 0.5);
+    const auto narrow = solvers::gradient(scene.batch, 0, scene.start, {ReferenceLoss::HuberTheta, 0.05});
+    const auto wide = solvers::gradient(scene.batch, 0, scene.start, {ReferenceLoss::HuberTheta, 0.5});
     CAPTURE(points);
     CHECK((narrow == wide) == (points == 3));
   }
@@ -185,11 +186,11 @@ TEST_CASE("answers are stationary to rounding from ordinary starts", "[ceres_ref
       for (const auto loss : both) {
         const Scene scene = make_scene(points, 0.1, seed);
         CAPTURE(seed, points, static_cast<int>(loss));
-        const auto found = solvers::minimize(scene.batch, 0, scene.start, loss, theta);
+        const auto found = solvers::minimize(scene.batch, 0, scene.start, {loss, theta});
         CHECK(found.converged);
         CHECK(found.iterations > 0);
-        CHECK(found.gradient_norm <= solvers::gradient_rounding_bound(scene.batch, 0, found.estimate, loss, theta));
-        CHECK(found.gradient_norm == vector(solvers::gradient(scene.batch, 0, found.estimate, loss, theta)).norm());
+        CHECK(found.gradient_norm <= solvers::gradient_rounding_bound(scene.batch, 0, found.estimate, {loss, theta}));
+        CHECK(found.gradient_norm == vector(solvers::gradient(scene.batch, 0, found.estimate, {loss, theta})).norm());
       }
     }
   }
