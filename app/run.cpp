@@ -127,8 +127,8 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
   }
   fmt::print(stderr, "{}: {} cell{}, {} trials each, {} method{} on {} thread{} with {}: {}\n", job.study.name,
              job.plan.cells.size(), job.plan.cells.size() == 1 ? "" : "s", job.study.trials, job.study.methods.size(),
-             job.study.methods.size() == 1 ? "" : "s", threads, threads == 1 ? "" : "s",
-             job.plan.header.isa, duration_text(seconds));
+             job.study.methods.size() == 1 ? "" : "s", threads, threads == 1 ? "" : "s", job.plan.header.isa,
+             duration_text(seconds));
   fmt::print("{}\n", job.output.string());
   finish_standard_output();
   return true;

@@ -17,8 +17,8 @@ inline constexpr std::size_t position_parameters = 3;
 ///
 /// Camera position x (m, unknown), points p_j (m, known), detection scores s_j in [0, 1]. Either ranges
 /// m_j = |p_j - x| + noise (m) are measured, or `has_images()` and each point gives a pseudorange rho_j (m^2) and a
-/// factor alpha_j (m^2 / mm^2) such that |p_j - x|^2 = alpha_j v^2 + rho_j up to noise, where v (mm, unknown) is the image
-/// distance of the camera (RRR paper, eqs. 1, 2).
+/// factor alpha_j (m^2 / mm^2) such that |p_j - x|^2 = alpha_j v^2 + rho_j up to noise, where v (mm, unknown) is the
+/// image distance of the camera (RRR paper, eqs. 1, 2).
 ///
 /// Structure of arrays: every accessor returns one quantity of all trials, contiguous, indexed by trial.
 /// `reshape` allocates only when the batch grows. Not synchronized: one batch per thread.
@@ -69,7 +69,9 @@ class ProblemBatch {
   static std::size_t measured_column(std::size_t point) { return point * 4 + 3; }
   static std::size_t start_column(std::size_t points, std::size_t axis) { return points * 4 + axis; }
   static std::size_t score_column(std::size_t points, std::size_t point) { return points * 4 + 3 + point; }
-  std::size_t alpha_column(std::size_t point) const { return score_column(points_, (has_scores_ ? points_ : 0) + point); }
+  std::size_t alpha_column(std::size_t point) const {
+    return score_column(points_, (has_scores_ ? points_ : 0) + point);
+  }
 
   /// Copies one problem of a batch with the same columns into a slot of this one.
   void copy_trial(const ProblemBatch& from, std::size_t trial, std::size_t slot);

@@ -23,7 +23,8 @@ template <std::size_t p, std::size_t q, class Real, std::size_t P>
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const Real zero(0.0);
   const Real off = a(p, q);
-  const Mask<Real> needed = off * off > Real(epsilon * epsilon) * abs(a(p, p) * a(q, q));
+  // What is not a number needs a rotation too, and spreads: alone as in company.
+  const Mask<Real> needed = !(off * off <= Real(epsilon * epsilon) * abs(a(p, p) * a(q, q)));
   if (!any(needed)) return needed;
 
   // t = sign(theta) / (|theta| + sqrt(theta^2 + 1)), theta = (a_qq - a_pp) / (2 a_pq), as one fraction. Elsewhere t =
@@ -56,7 +57,8 @@ template <std::size_t p, std::size_t q, class Real, std::size_t P>
 /// Eigenvalues and eigenvectors by Jacobi's method: rotations in the planes (0, 1), (0, 2), ... in turn, each of which
 /// brings one element to zero, until every |a_ij| <= eps sqrt(|a_ii a_jj|). Positive definite matrices come out to high
 /// relative accuracy, small eigenvalues included (Demmel and Veselic 1992). Lanes that are done rotate by nothing, so
-/// that a lane does not depend on the others; matrices that are not finite end after `most_sweeps`. Large, so never inlined.
+/// that a lane does not depend on the others; matrices that are not finite end after `most_sweeps`. Large, so never
+/// inlined.
 template <class Real, std::size_t P>
 [[gnu::noinline]] SymmetricEigen<Real, P> symmetric_eigen(Symmetric<Real, P> a) {
   constexpr int most_sweeps = 12;

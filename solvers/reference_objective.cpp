@@ -37,7 +37,7 @@ std::optional<ReferenceObjective> reference_objective(std::string_view solver, c
     return objective;
   }
   if (solver == "rrr") {
-    if (options.normalize_weights && options.v_mode == VMode::Prior) return std::nullopt;
+    if (options.normalize_weights == NormalizeWeights::On && options.v_mode == VMode::Prior) return std::nullopt;
     objective.loss = ReferenceLoss::HuberTheta;
     objective.theta_m = options.theta_m;
     objective.robust_from = options.irls_min_n;

@@ -47,7 +47,7 @@ void add_ridge(List& list, const char* solver) {
     o.ridge_anchor = solvers::RidgeAnchor::Prior;
     o.ols_mode = solvers::OlsMode::Full;
     o.irls_residual = solvers::IrlsResidual::Ols;
-    o.normalize_weights = true;
+    o.normalize_weights = solvers::NormalizeWeights::On;
     o.start = solvers::Start::Bancroft;
     o.eta = solvers::Eta::Absolute;
   });
@@ -92,7 +92,7 @@ std::vector<MethodChoice> methods_by_option() {
   add_ridge(list, "rrr");
   list.add("rrr", "ols residual", [](SolverOptions& o) { o.irls_residual = solvers::IrlsResidual::Ols; });
   list.add("rrr", "min n", [](SolverOptions& o) { o.irls_min_n = 6; });
-  list.add("rrr", "normalized", [](SolverOptions& o) { o.normalize_weights = true; });
+  list.add("rrr", "normalized", [](SolverOptions& o) { o.normalize_weights = solvers::NormalizeWeights::On; });
   list.add("rr", "positive error", [](SolverOptions& o) {
     o.k = *solvers::find_k_estimator("oracle_elem");
     o.k_error = solvers::KError::Positive;

@@ -32,7 +32,7 @@ core::ProblemBatch ranges(std::size_t points) {
 /// than
 ///   the last but where only damping, or a scale that moves along, makes the iteration converge: a few in a hundred;
 /// - Ceres, started there, finds a minimum (with a scale that moves along a saddle of the objective can be a place to
-///   rest: 17 % of 300 with geman_mcclure) within 1e-8 m, but for slow linear convergence.
+///   rest: 42 of 259 trials with geman_mcclure) within 1e-8 m, but for slow linear convergence.
 void check_agreement(const std::string& what, const char* solver, solvers::SolverOptions options,
                      const core::ProblemBatch& problems) {
   options.k = k_index("fixed");

@@ -190,13 +190,13 @@ TEST_CASE("what minimises nothing has no reference", "[reference]") {
     CHECK(has(solver, [](auto& o) { o.ridge_anchor = solvers::RidgeAnchor::Prior; }) == !ridge);
     // Neither the scale of the columns nor that of the weights moves a minimiser.
     CHECK(has(solver, [](auto& o) { o.column_scale = solvers::ColumnScale::None; }));
-    CHECK(has(solver, [](auto& o) { o.normalize_weights = true; }));
+    CHECK(has(solver, [](auto& o) { o.normalize_weights = solvers::NormalizeWeights::On; }));
   }
   CHECK_FALSE(has("linear", nothing));
   CHECK_FALSE(has("bancroft", nothing));
   CHECK_FALSE(has("no such solver", nothing));
   CHECK_FALSE(has("rrr", [](auto& o) {
-    o.normalize_weights = true;
+    o.normalize_weights = solvers::NormalizeWeights::On;
     o.v_mode = solvers::VMode::Prior;
   }));
   solvers::SolverOptions options;

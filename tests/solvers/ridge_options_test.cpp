@@ -45,7 +45,7 @@ Point robust_step(const Sample& sample, const solvers::SolverOptions& options) {
     const long double theta = options.theta_m;
     robust = robust.cwiseQuotient(model.residual(place).cwiseAbs().cwiseMax(theta));
   }
-  if (options.normalize_weights) robust /= robust.mean();
+  if (options.normalize_weights == solvers::NormalizeWeights::On) robust /= robust.mean();
 
   const Column after = model.residual(u - step);
   const long double sigma2 =
@@ -95,7 +95,7 @@ TEST_CASE("rrr makes its weights of the residuals after the least-squares step")
 }
 
 TEST_CASE("rrr scales its weights to a mean of 1") {
-  check_robust_step([](solvers::SolverOptions& o) { o.normalize_weights = true; });
+  check_robust_step([](solvers::SolverOptions& o) { o.normalize_weights = solvers::NormalizeWeights::On; });
 }
 
 TEST_CASE("rrr has robust weights from irls_min_n points on") {
@@ -131,7 +131,7 @@ TEST_CASE("rrr adds K in canonical coordinates to the reweighted matrix") {
     o.ridge_coordinates = solvers::RidgeCoordinates::Canonical;
     o.k = k_index("kibria_am");
     o.irls_residual = solvers::IrlsResidual::Ols;
-    o.normalize_weights = true;
+    o.normalize_weights = solvers::NormalizeWeights::On;
   });
 }
 
