@@ -7,7 +7,7 @@
 
 #include "core/real.hpp"
 
-/// Two to five unknowns' worth of linear algebra over `Real`. Nothing here branches on a value or pivots, so that all
+/// Two to four unknowns' worth of linear algebra over `Real`. Nothing here branches on a value or pivots, so that all
 /// lanes are treated alike, and no loop indexes an array: sizes are known when the program is compiled.
 namespace ridgeloc::core {
 

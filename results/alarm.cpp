@@ -23,7 +23,7 @@ std::string alarm_text(const Summary& summary, const std::set<std::pair<std::siz
     }
     if (trials == 0) continue;
     const double bound = disagreements == 0 ? upper_bound_of_none(trials) : wilson_interval(disagreements, trials).hi;
-    text += fmt::format("{}{}: {} trials, disagreements {} (<= {:.2g} %)", text.empty() ? "" : "; ",
+    text += fmt::format("{}{}: {} checks, disagreements {} (<= {:.2g} %)", text.empty() ? "" : "; ",
                         schema.metrics[i].alarm, trials, disagreements, 100.0 * bound);
   }
   return text;

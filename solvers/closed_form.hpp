@@ -35,7 +35,7 @@ template <class Model, class Real = typename Model::Real>
   Real mean_right = zero;
   for_each_point(model, [&](auto j, const auto&) {
     const auto line = model.lifted(j);
-    const Real w = weigh(j, model.score(j), zero) * Real(1.0);
+    const Real w = weigh(j, model.score(j), zero) * Real(1.0);  // a UnitScore as a number
     total = total + w;
     core::unroll<P>([&](auto i) { mean[i] = core::mul_add(w, line.row[i], mean[i]); });
     mean_right = core::mul_add(w, line.residual, mean_right);
@@ -82,12 +82,13 @@ template <class Model, class Real = typename Model::Real>
     b = core::mul_add(slope[i], constant.x[i], b);
     c = core::mul_add(constant.x[i], constant.x[i], c);
   });
-  const Real root = core::sqrt(core::max(core::neg_mul_add(a, c, b * b), zero));
+  const Real discriminant = core::neg_mul_add(a, c, b * b);
+  const Real root = core::sqrt(core::max(discriminant, zero));
   // Stable for either sign of b: the root of larger size first, the other from their product.
   const Real larger = -(b + core::select(b < zero, -root, root));
-  const Real inverse_larger = core::reciprocal(larger);
-  const Real other = c * inverse_larger;
-  const Real one_of = core::select(a > zero, larger * core::reciprocal(a), other);
+  const Real from_product = c * core::reciprocal(larger);
+  const Real one_of = core::select(a > zero, larger * core::reciprocal(a), from_product);
+  const Real other = core::select(discriminant < zero, one_of, from_product);
   const auto at = [&](const Real& q) {
     return core::make_vector<P>([&](auto i) { return core::mul_add(q, slope[i], constant.x[i]); });
   };

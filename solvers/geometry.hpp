@@ -79,8 +79,8 @@ Geometry<Real> geometry(const core::Symmetric<Real, P>& matrix, std::size_t posi
 
 /// Geometric dilution of precision of every problem at the truth, sqrt of the trace of the position's part of (J'J)^-1,
 /// and the condition number of J'J; both infinite where J'J is singular. The Cramer-Rao bound of the position is range
-/// sigma times the dilution: sqrt(tr F^-1) with F = J'J / sigma^2. A prior on the image distance counts as an
-/// observation.
+/// sigma times the dilution: sqrt(tr F^-1) with F = J'J / sigma^2. A prior on the image
+/// distance counts as an observation. Factors alpha and pseudoranges are taken as measured, noise included.
 template <class Real = double>
 [[gnu::flatten]] void geometry_of(const core::ProblemBatch& problems, const SolverOptions& options,
                                   const core::Oracle& oracle, std::span<double> gdop, std::span<double> condition) {
@@ -88,6 +88,7 @@ template <class Real = double>
   unscaled.column_scale = ColumnScale::None;
   unscaled.jacobian = Jacobian::Exact;
   unscaled.residual = Residual::Range;
+  unscaled.sigma_prior_m = oracle.range_sigma_m;  // the bound knows the noise, whatever solvers assume
   with_model<Real, KernelSize::Wide>(problems, unscaled, [&]<class Model>(std::type_identity<Model>) {
     using Lanes = typename Model::Real;
     for (std::size_t slot = 0; slot < problems.trials(); slot += core::lanes<Lanes>) {

@@ -87,7 +87,9 @@ template <class Method, class Model, class State, class Real = typename Model::R
   if constexpr (Model::unknowns > Model::positions) finite = finite & core::is_finite(next[Model::positions]);
   const Mask moved = active & !step.singular & finite;
   Mask left = moved & (distance > Real(domain_radius_m * domain_radius_m));
-  if constexpr (!Model::always_in_domain) left = left | (moved & !model.in_domain(next));
+  if constexpr (!Model::always_in_domain) {
+    left = left | (moved & !model.in_domain(next)) | (active & !model.in_domain(state.u));
+  }
   Mask converged = moved & !left & step.accepted;
   if constexpr (!Method::is_direct) {
     converged = converged & (length < Real(options.step_tolerance_m * options.step_tolerance_m));

@@ -148,7 +148,7 @@ struct SolverOptions {
   Residual residual = Residual::Range;
 
   LmVariant lm_variant = LmVariant::Lazy;
-  double trust_radius_m = 10.0;  ///< dogleg: longest first step
+  double trust_radius_m = 10.0;  ///< dogleg: longest first step, in the unknowns (pseudoranges: scaled)
 
   std::size_t weight = 0;  ///< irls: index into `weight_registry()`
   double tuning = 0.0;     ///< irls: tuning constant of the weight; 0 is the weight's own

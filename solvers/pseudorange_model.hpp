@@ -164,9 +164,10 @@ class PseudorangeModel {
 
   core::Mask<Real> in_domain(const Vector& u) const {
     const Real v = image_distance(u);
-    core::Mask<Real> inside = v <= v;
+    core::Mask<Real> inside = Real(0.0) <= Real(1.0);
     for (std::size_t j = 0; j < points(); ++j) {
-      inside = inside & (core::mul_add(load(problems_.alpha(j)) * v, v, load(problems_.measured(j))) > Real(0.0));
+      // What is not a number is no matter of the domain.
+      inside = inside & !(core::mul_add(load(problems_.alpha(j)) * v, v, load(problems_.measured(j))) <= Real(0.0));
     }
     return inside;
   }

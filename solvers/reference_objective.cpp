@@ -70,7 +70,8 @@ ReferenceObjective at_estimate(const ReferenceObjective& objective, const core::
   for (const double size : sizes) sum += frozen.robust.weight(size);
   const auto needed = static_cast<double>(view.unknowns());
   const auto all = static_cast<double>(sizes.size());
-  if (sum < needed) frozen.robust.lift = (needed - sum) / (all - sum);
+  // With fewer observations than unknowns no weights are enough.
+  if (sum < needed) frozen.robust.lift = all > needed ? (needed - sum) / (all - sum) : 1.0;
   return frozen;
 }
 

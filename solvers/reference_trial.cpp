@@ -71,6 +71,8 @@ bool ReferenceTrial::is_usable(const ReferenceObjective& objective) const {
     return false;
   }
   if (objective.loss == ReferenceLoss::Reweighted && !positive(loss_.scale_m * loss_.tuning)) return false;
+  // Ceres ends the program at a derivative of the loss that is not positive.
+  if (!(loss_.lift >= 0.0 && loss_.lift <= 1.0)) return false;
   if (!std::isfinite(prior_factor_) || !std::isfinite(start_.image_distance_mm)) return false;
   return std::ranges::all_of(observations_, [](const ReferenceObservation& o) {
     return as_vector(o.point).allFinite() && std::isfinite(o.measured) && std::isfinite(o.alpha) &&

@@ -48,6 +48,7 @@ struct RidgeWeights {
   bool elsewhere;
   Vector place;
   Real factor{1.0};
+  bool normalized = false;
 
   RidgeWeights(const SolverOptions& options, const Model& of, const Vector& u, const Vector& ols_step)
       : paper(options, of.points(), Model::unknowns),
@@ -68,8 +69,6 @@ struct RidgeWeights {
 
   /// What an observation with a small residual weighs.
   double largest() const { return normalized ? 1.0 : paper.largest(); }
-
-  bool normalized = false;
 };
 
 }  // namespace ridgeloc::solvers

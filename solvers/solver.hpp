@@ -13,9 +13,10 @@
 
 namespace ridgeloc::solvers {
 
-/// Solves every problem of a batch. The only contract a solver has: no allocation beyond growing `out` and a queue that
-/// each thread keeps (about 80 bytes for each trial of the largest batch), no logging, no exception; a numerical
-/// failure is a status. `oracle` is null outside simulations. Thread safe.
+/// Solves every problem of a batch. The only contract a solver has: no logging, no exception, no allocation beyond
+/// growing `out` and two buffers that each thread keeps (a queue of about 70 to 130 bytes for each trial of the largest
+/// batch, and room for the weights of irls); a numerical failure is a status. `oracle` is null outside simulations.
+/// Thread safe.
 using Solver = void (*)(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
                         core::SolutionBatch& out);
 

@@ -20,7 +20,8 @@ Score score_weight(const Score& score, bool squared) {
 struct ScoreWeights {
   bool squared;
 
-  explicit ScoreWeights(const SolverOptions& options) : squared(options.score_power != ScorePower::One) {}
+  [[gnu::always_inline]] explicit ScoreWeights(const SolverOptions& options)
+      : squared(options.score_power != ScorePower::One) {}
 
   template <class Score, class Real>
   [[gnu::always_inline]] Score operator()(std::size_t, const Score& score, const Real&) const {
@@ -37,7 +38,7 @@ struct PaperWeights {
   bool robust;
   double theta_m;
 
-  PaperWeights(const SolverOptions& options, std::size_t points, std::size_t unknowns)
+  [[gnu::always_inline]] PaperWeights(const SolverOptions& options, std::size_t points, std::size_t unknowns)
       : squared(options.score_power == ScorePower::Two),
         robust(options.irls_min_n > 0 ? points >= static_cast<std::size_t>(options.irls_min_n) : points > unknowns),
         theta_m(options.theta_m) {}

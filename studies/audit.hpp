@@ -27,7 +27,6 @@ class AuditSample {
  public:
   explicit AuditSample(const StudyKey& key) : share_(key.audit), stream_(key.seed, "audit") {}
 
-  bool contains(std::uint64_t trial) const { return !slots({trial, 1}).empty(); }
   /// Those among the trials of a block, counted from its first.
   std::vector<std::size_t> slots(TrialRange range) const;
 

@@ -104,6 +104,10 @@ std::vector<double> read_csv_column(const std::filesystem::path& path, const std
   const auto position = static_cast<std::size_t>(found - names.begin());
   std::vector<double> values;
   for (auto cells = rows.next(); !cells.empty() && values.size() < most; cells = rows.next()) {
+    if (cells.size() > names.size()) {
+      throw core::InputError(fmt::format("{}:{}: {} cells where the first line names {}; is a comma the decimal point?",
+                                         path.string(), rows.line(), cells.size(), names.size()));
+    }
     const std::string cell = position < cells.size() ? cells[position] : std::string();
     const auto value = number(cell);
     if (!value) {

@@ -178,8 +178,7 @@ methods = ["ols", "rr", "rrr"]
 
     Audit audit(scratch.problems, oracle, AuditSample(key).slots(range));
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      solvers::SolverOptions options = solver_options(cell.values, methods[m].given);
-      options.z_mode = settings.z_mode;
+      const solvers::SolverOptions options = solver_options(cell.values, methods[m].given);
       const solvers::Solver solve = solvers::find_solver(methods[m].solver)->kernel(scratch.isa);
       solve(scratch.problems, options, &oracle, scratch.solutions);
       const auto read = settings_of_solver(methods[m].solver);
@@ -191,9 +190,7 @@ methods = ["ols", "rr", "rrr"]
           sink.sparse_metric(m, FirstOfAudit + i, audit.slots(), scratch.audit[i]);
       }
     }
-    solvers::SolverOptions shared = solver_options(cell.values, {});
-    shared.z_mode = settings.z_mode;
-    report_scene(methods.size(), settings, shared, oracle, scratch, sink);
+    report_scene(methods.size(), settings, solver_options(cell.values, {}), oracle, scratch, sink);
   }
 
  private:

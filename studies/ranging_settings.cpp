@@ -229,8 +229,7 @@ RangingCell::RangingCell(const Values& values)
   }
   view.start_offset_m = get<double>(values, "start_offset_m");
   has_images = get<std::string>(values, "model") == "pseudorange";
-  z_mode = choice<solvers::ZMode>(get<std::string>(values, "z_mode"), solvers::z_mode_names);
-  view.start_at_height = has_images && z_mode == solvers::ZMode::Fixed;
+  view.start_at_height = has_images && get<std::string>(values, "z_mode") == "fixed";
   focal_length_mm = get<double>(values, "focal_length_mm");
   if (get<std::string>(values, "noise_is_variance") == "on") range_sigma_m = std::sqrt(range_sigma_m);
   noise = sim::find_noise(get<std::string>(values, "noise_model"));

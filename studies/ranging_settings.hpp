@@ -23,7 +23,6 @@ struct RangingCell {
   sim::NoiseOptions noise_options;  ///< refers to the samples among the values
   bool has_scores;
   bool has_images;  ///< pseudoranges
-  solvers::ZMode z_mode;
   double focal_length_mm;
 };
 

@@ -142,6 +142,10 @@ solvers::SolverOptions solver_options(const Values& cell, const Values& given) {
     const auto own = given.find(option.setting.name);
     option.assign(options, own != given.end() ? own->second : cell.find(option.setting.name)->second);
   }
+  // What is known of the height belongs to the scene, since the start has to have it.
+  const auto& height = std::get<std::string>(cell.find("z_mode")->second);
+  const auto found = std::ranges::find(solvers::z_mode_names, height);
+  options.z_mode = static_cast<solvers::ZMode>(found - solvers::z_mode_names.begin());
   return options;
 }
 

@@ -64,10 +64,10 @@ TEST_CASE("figures say how often an alarm rang where they look") {
   const auto footnote = [](const Summary& summary, std::vector<std::string> methods) {
     return figure_data(summary, errors_over_points(std::move(methods))).footnote;
   };
-  CHECK(footnote(with_alarm(100, 0), {"rr"}).ends_with("; checked by hand: 400 trials, disagreements 0 (<= 0.75 %)"));
-  CHECK(footnote(with_alarm(100, 0), {"rr", "rrr"}).ends_with(": 800 trials, disagreements 0 (<= 0.38 %)"));
+  CHECK(footnote(with_alarm(100, 0), {"rr"}).ends_with("; checked by hand: 400 checks, disagreements 0 (<= 0.75 %)"));
+  CHECK(footnote(with_alarm(100, 0), {"rr", "rrr"}).ends_with(": 800 checks, disagreements 0 (<= 0.38 %)"));
   // Wilson's upper end of 8 in 800: 1.96 %.
-  CHECK(footnote(with_alarm(100, 1), {"rr", "rrr"}).ends_with(": 800 trials, disagreements 8 (<= 2 %)"));
+  CHECK(footnote(with_alarm(100, 1), {"rr", "rrr"}).ends_with(": 800 checks, disagreements 8 (<= 2 %)"));
   CHECK(footnote(with_alarm(0, 0), {"rr"}).find("checked") == std::string::npos);
   CHECK(footnote(synthetic_summary(), {"rr"}).find("checked") == std::string::npos);
 }

@@ -74,6 +74,10 @@ TEST_CASE("what is wrong in a CSV file is named with its line") {
   CHECK(error_of("e_m\n1e999\n", "e_m") == ":2: \"1e999\" in column \"e_m\" is not a number");
 }
 
+TEST_CASE("a row with more cells than the first line is an error: decimal commas") {
+  CHECK(error_of("e\n1,5\n2,5\n", "e") == ":2: 2 cells where the first line names 1; is a comma the decimal point?");
+}
+
 TEST_CASE("a file that is not there is an error") {
   CHECK_THROWS_AS(studies::read_csv_column("/nowhere/residuals.csv", "e_m", 9), core::InputError);
 }
