@@ -55,6 +55,10 @@ void read_method(const toml::table& table, Study& study) {
     if (!study.fixed.contains(setting.name)) {
       fail_at(*value, fmt::format("\"{}\" is swept in [sweep] too; give it in one place", setting.name));
     }
+    if (!is_read(study, setting)) {
+      fail_at(*value, fmt::format("{} changes nothing in this [[method]]: it is read only if {} is {}", setting.name,
+                                  setting.read_if.setting, fmt::join(setting.read_if.choices, " or ")));
+    }
     method.given[setting.name] = read_setting(*value, setting, setting.name);
   }
   study.methods.push_back(std::move(method));

@@ -78,19 +78,6 @@ void read_sections(const toml::table& document, Study& study) {
   }
 }
 
-/// Whether any cell reads the setting.
-bool is_read(const Study& study, const Setting& setting) {
-  if (setting.read_if.setting.empty()) return true;
-  const auto chosen = [&](const Value& value) {
-    return std::ranges::find(setting.read_if.choices, std::get<std::string>(value)) != setting.read_if.choices.end();
-  };
-  const auto fixed = study.fixed.find(setting.read_if.setting);
-  if (fixed != study.fixed.end()) return chosen(fixed->second);
-  return std::ranges::any_of(study.sweep, [&](const SweepAxis& axis) {
-    return axis.setting->name == setting.read_if.setting && std::ranges::any_of(axis.values, chosen);
-  });
-}
-
 /// Refuses axes that change nothing, and lists of samples that are read and not there.
 void check_conditions(const toml::table& document, const std::string& origin, const Study& study) {
   for (const SweepAxis& axis : study.sweep) {
@@ -109,6 +96,18 @@ void check_conditions(const toml::table& document, const std::string& origin, co
 }
 
 }  // namespace
+
+bool is_read(const Study& study, const Setting& setting) {
+  if (setting.read_if.setting.empty()) return true;
+  const auto chosen = [&](const Value& value) {
+    return std::ranges::find(setting.read_if.choices, std::get<std::string>(value)) != setting.read_if.choices.end();
+  };
+  const auto fixed = study.fixed.find(setting.read_if.setting);
+  if (fixed != study.fixed.end()) return chosen(fixed->second);
+  return std::ranges::any_of(study.sweep, [&](const SweepAxis& axis) {
+    return axis.setting->name == setting.read_if.setting && std::ranges::any_of(axis.values, chosen);
+  });
+}
 
 StudySource find_study(std::string_view path_or_name) {
   if (const CatalogEntry* entry = find_in_catalog(path_or_name)) {

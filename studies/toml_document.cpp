@@ -95,8 +95,9 @@ std::optional<Value> read_value(const toml::node& node, const Setting& s) {
       return value && within(*value) ? std::optional<Value>(*value) : std::nullopt;
     }
     case Kind::Choice: {
-      if (!node.is_string()) return std::nullopt;
-      const auto value = *node.value<std::string>();
+      // Choices may look like numbers, and be written as such.
+      const auto value = node.is_integer() ? std::to_string(*node.value<std::int64_t>())
+                                           : node.value<std::string>().value_or(std::string());
       const bool known = std::ranges::find(s.choices, value) != s.choices.end();
       return known ? std::optional<Value>(value) : std::nullopt;
     }

@@ -129,6 +129,8 @@ TEST_CASE("each bad study gets one line with file, line, bound and nearest name"
       {with("\"rr\"", "\"rrx\""), "demo.toml:8: solver: unknown \"rrx\" (did you mean \"rr\"?)"},
       {with("\"rr\"", "\"ols\""), "demo.toml:9: unknown key \"k\" in [[method]] with solver \"ols\""},
       {with("\"fixed\"", "\"fixd\""), "(did you mean \"fixed\"?)"},
+      {with("k_fixed = 0.5", "v_mode = \"prior\""),
+       "demo.toml:10: v_mode changes nothing in this [[method]]: it is read only if model is pseudorange"},
       {with("k_fixed = 0.5", "k_fixed = -0.5"),
        "demo.toml:10: k_fixed = -0.5 is not allowed: k_fixed takes a number from 0 to"},
       {valid + "name = \"a/b\"\n", "demo.toml:11: method name \"a/b\" is not allowed"},
