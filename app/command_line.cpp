@@ -21,6 +21,7 @@
 #include "core/isa.hpp"
 #include "studies/experiment.hpp"
 #include "studies/listing.hpp"
+#include "studies/study.hpp"
 #include "studies/value.hpp"
 
 namespace ridgeloc::app {
@@ -28,6 +29,12 @@ namespace ridgeloc::app {
 namespace {
 
 constexpr int max_threads = 1024;
+
+void add_threads(CLI::App& verb, int& threads) {
+  verb.add_option("--threads", threads, "threads to use")
+      ->default_val(std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, max_threads))
+      ->check(CLI::Range(1, max_threads));
+}
 
 /// One line on standard error, whatever the message quotes.
 int complain(std::string message, ExitCode code) {
@@ -70,9 +77,7 @@ void add_study_options(CLI::App& verb, StudyOptions& options) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-  verb.add_option("--threads", options.threads, "threads to use")
-      ->default_val(std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, max_threads))
-      ->check(CLI::Range(1, max_threads));
+  add_threads(verb, options.threads);
   verb.add_option("--isa", options.isa,
                   "instruction set to compute with; without it the one that a stopped run has begun with, else the "
                   "widest that this processor has")
@@ -113,6 +118,14 @@ class CommandLine {
 
     CLI::App& summary_verb = verb("summary", "print a result as tables", [this] { return summary(summary_); });
     summary_verb.add_option("RESULT", summary_.results, "result files")->required();
+
+    CLI::App& audit_verb = verb("audit", "solve the failed trials of a result again with Ceres; writes nothing",
+                                [this] { return audit(audit_); });
+    audit_verb.add_option("RESULT", audit_.result, "result file")->required();
+    audit_verb.add_option("--trials", audit_.trials, "only the first N trials of each cell")
+        ->check(CLI::Range(std::uint64_t{1}, studies::max_trials))
+        ->type_name("N");
+    add_threads(audit_verb, audit_.threads);
 
     CLI::App& export_verb = verb("export", "write a result as CSV", [this] { return export_result(export_); });
     export_verb.add_option("RESULT", export_.result, "result file")->required();
@@ -179,6 +192,7 @@ class CommandLine {
   StudyOptions plan_;
   RunOptions run_;
   SummaryOptions summary_;
+  AuditOptions audit_;
   ExportOptions export_;
   PlotOptions plot_;
 };

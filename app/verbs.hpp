@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,13 @@ struct SummaryOptions {
   std::vector<std::string> results;
 };
 int summary(const SummaryOptions& options);
+
+struct AuditOptions {
+  std::string result;
+  std::optional<std::uint64_t> trials;  ///< of each cell; absent: all
+  int threads = 1;
+};
+int audit(const AuditOptions& options);
 
 struct ExportOptions {
   std::string result;

@@ -65,15 +65,16 @@ class Audit {
 
   const std::vector<std::size_t>& slots() const { return slots_; }
 
- private:
   /// Where the reference ends from the start of a trial, and from the truth.
   struct Answers {
     solvers::Minimizer from_start;
     solvers::Minimizer from_truth;
   };
+  Answers solve(std::size_t slot, const solvers::ReferenceObjective& objective) const;
+
+ private:
   using AnswersOfSlots = std::vector<Answers>;  ///< in the order of slots_
 
-  Answers solve(std::size_t slot, const solvers::ReferenceObjective& objective) const;
   const AnswersOfSlots& shared_answers(const solvers::ReferenceObjective& objective);
   std::array<double, audit_metric_count> judge(std::size_t slot, const solvers::ReferenceObjective& objective,
                                                const Answers& answers, const core::SolutionBatch& solutions) const;

@@ -55,6 +55,15 @@ class Workspace {
   const core::Isa isa;
 };
 
+/// What the reference makes of the trials on which a method failed.
+struct FailureCounts {
+  std::uint64_t trials = 0;
+  std::uint64_t failed = 0;
+  std::uint64_t from_start = 0;  ///< of those: the reference finds a minimum from the same start
+  std::uint64_t from_truth = 0;  ///< ... from the truth
+  bool has_reference = false;
+};
+
 /// A kind of simulated experiment. The runner, the store, the statistics and the figures know this interface alone, so
 /// a new experiment is one file and a line in the registry.
 class Experiment {
@@ -100,6 +109,11 @@ class Experiment {
   /// workspaces.
   virtual void run_block(const StudyKey& key, const Cell& cell, std::span<const Method> methods, TrialRange range,
                          Workspace& workspace, results::BlockSink& sink) const = 0;
+
+  /// Simulates and solves the same trials again and gives those that failed to the reference, a count per method.
+  virtual std::vector<FailureCounts> count_failures(std::uint64_t seed, const Cell& cell,
+                                                    std::span<const Method> methods, TrialRange range,
+                                                    Workspace& workspace) const = 0;
 };
 
 /// All experiments.

@@ -149,8 +149,54 @@ methods = ["ols", "rr", "rrr"]
                  Workspace& workspace, results::BlockSink& sink) const override {
     auto& scratch = static_cast<Scratch&>(workspace);
     const RangingCell settings(cell.values);
-    const std::uint64_t seed = key.seed;
+    const core::Oracle oracle = simulate(key.seed, settings, range, scratch);
+    Audit audit(scratch.problems, oracle, AuditSample(key).slots(range));
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      const solvers::SolverOptions options = solver_options(cell.values, methods[m].given);
+      const solvers::Solver solve = solvers::find_solver(methods[m].solver)->kernel(scratch.isa);
+      solve(scratch.problems, options, &oracle, scratch.solutions);
+      const auto read = settings_of_solver(methods[m].solver);
+      const bool reads_k = std::ranges::find(read, "k") != read.end();
+      report_method(m, options, reads_k, scratch, sink);
+      if (key.audit > 0.0 && Audit::covers(methods[m].solver, options)) {
+        audit.fill(methods[m].solver, options, scratch.solutions, scratch.audit);
+        for (std::size_t i = 0; i < audit_metric_count; ++i)
+          sink.sparse_metric(m, FirstOfAudit + i, audit.slots(), scratch.audit[i]);
+      }
+    }
+    report_scene(methods.size(), settings, solver_options(cell.values, {}), oracle, scratch, sink);
+  }
 
+  std::vector<FailureCounts> count_failures(std::uint64_t seed, const Cell& cell, std::span<const Method> methods,
+                                            TrialRange range, Workspace& workspace) const override {
+    auto& scratch = static_cast<Scratch&>(workspace);
+    const RangingCell settings(cell.values);
+    const core::Oracle oracle = simulate(seed, settings, range, scratch);
+    const Audit audit(scratch.problems, oracle, {});
+    std::vector<FailureCounts> counts;
+    for (const Method& method : methods) {
+      const solvers::SolverOptions options = solver_options(cell.values, method.given);
+      solvers::find_solver(method.solver)->kernel(scratch.isa)(scratch.problems, options, &oracle, scratch.solutions);
+      const auto objective = solvers::reference_objective(method.solver, options);
+      FailureCounts& count = counts.emplace_back();
+      // The objective of irls is that of its last weights, and a failed trial has none that mean anything.
+      count.has_reference = objective && objective->loss != solvers::ReferenceLoss::Reweighted;
+      count.trials = range.count;
+      for (std::size_t t = 0; t < range.count; ++t) {
+        if (scratch.solutions.status[t] == static_cast<std::uint8_t>(core::Status::Converged)) continue;
+        ++count.failed;
+        if (!count.has_reference) continue;
+        const Audit::Answers answers = audit.solve(t, *objective);
+        count.from_start += answers.from_start.converged ? 1 : 0;
+        count.from_truth += answers.from_truth.converged ? 1 : 0;
+      }
+    }
+    return counts;
+  }
+
+ private:
+  /// Writes problems of a range of trials into the scratch memory; what is known about them refers to it too.
+  static core::Oracle simulate(std::uint64_t seed, const RangingCell& settings, TrialRange range, Scratch& scratch) {
     scratch.problems.reshape(settings.points, range.count);
     const sim::Kernels scene = sim::kernels(scratch.isa);
     scene.place_objects(settings.view, sim::SceneStreams(seed, settings.view), range.first, scratch.problems);
@@ -175,25 +221,9 @@ methods = ["ols", "rr", "rrr"]
     oracle.range_sigma_m = settings.range_sigma_m;
     oracle.k_error = core::Stream(seed, "k_error");
     oracle.first_trial = range.first;
-
-    Audit audit(scratch.problems, oracle, AuditSample(key).slots(range));
-    for (std::size_t m = 0; m < methods.size(); ++m) {
-      const solvers::SolverOptions options = solver_options(cell.values, methods[m].given);
-      const solvers::Solver solve = solvers::find_solver(methods[m].solver)->kernel(scratch.isa);
-      solve(scratch.problems, options, &oracle, scratch.solutions);
-      const auto read = settings_of_solver(methods[m].solver);
-      const bool reads_k = std::ranges::find(read, "k") != read.end();
-      report_method(m, options, reads_k, scratch, sink);
-      if (key.audit > 0.0 && Audit::covers(methods[m].solver, options)) {
-        audit.fill(methods[m].solver, options, scratch.solutions, scratch.audit);
-        for (std::size_t i = 0; i < audit_metric_count; ++i)
-          sink.sparse_metric(m, FirstOfAudit + i, audit.slots(), scratch.audit[i]);
-      }
-    }
-    report_scene(methods.size(), settings, solver_options(cell.values, {}), oracle, scratch, sink);
+    return oracle;
   }
 
- private:
   /// Writes f(trial) for every trial into one column of the sink.
   template <class F>
   static void report(std::size_t method, Metric metric, Scratch& scratch, results::BlockSink& sink, F&& value) {

@@ -110,6 +110,19 @@ TEST_CASE("the audit shows in the summary, and can be switched off") {
   CHECK(contains(refused.error, "audit = 2 is not allowed"));
 }
 
+TEST_CASE("audit solves failed trials again and changes nothing") {
+  const WithResult folder;
+  const std::string before = folder.read("result.h5");
+  const auto outcome = folder.ridgeloc("audit result.h5");
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(contains(outcome.out, "points = 5, range_sigma_m = 0.3\n"));
+  CHECK(contains(outcome.out, "from truth"));
+  CHECK(folder.ridgeloc("audit result.h5 --threads 3").out == outcome.out);
+  CHECK(folder.read("result.h5") == before);
+  CHECK(folder.ridgeloc("audit result.h5 --trials 0").exit_code == 2);
+  CHECK(folder.ridgeloc("audit nothing.h5").exit_code == 2);
+}
+
 TEST_CASE("export writes the long form, a row per cell, method and metric") {
   const WithResult folder;
   const auto lines = lines_of(folder.ridgeloc("export result.h5 --csv").out);
@@ -162,8 +175,8 @@ TEST_CASE("help and version are on standard output") {
 
 TEST_CASE("a full disk under standard output is an I/O failure for every verb") {
   const WithResult folder;
-  for (const char* verb : {"export result.h5", "export result.h5 --trials", "summary result.h5", "list", "plan fig3a",
-                           "plot result.h5", "run study.toml -o again.h5", "new ranging"}) {
+  for (const char* verb : {"export result.h5", "export result.h5 --trials", "summary result.h5", "audit result.h5",
+                           "list", "plan fig3a", "plot result.h5", "run study.toml -o again.h5", "new ranging"}) {
     INFO(verb);
     const auto outcome = folder.shell(std::string("'" RIDGELOC_PROGRAM "' ") + verb + " 2>messages > /dev/full");
     CHECK(outcome.exit_code == 3);
