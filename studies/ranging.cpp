@@ -32,6 +32,7 @@ enum Metric : std::size_t {
   Gdop,
   Condition,
   SquaredErrorM2,
+  ErrorXM,
   FirstOfAudit  ///< and the others, in the order of AuditMetric
 };
 
@@ -49,6 +50,7 @@ results::Schema make_schema() {
       {"gdop", "1", "geometric dilution of precision", true},
       {"condition", "1", "condition number of J'J at the truth", true},
       {"squared_error_m2", "m2", "squared position error of all trials", true},
+      {"error_x_m", "m", "signed position error of all trials along the optical axis", true},
   };
   for (results::MetricInfo& metric : studies::audit_metrics()) schema.metrics.push_back(std::move(metric));
   for (const std::string_view status : core::status_names) {
@@ -263,6 +265,10 @@ methods = ["ols", "rr", "rrr"]
     report(m, SquaredErrorM2, scratch, sink, [&](std::size_t t) {
       const double e = error(t);
       return std::isfinite(e) ? e * e : std::numeric_limits<double>::infinity();
+    });
+    report(m, ErrorXM, scratch, sink, [&](std::size_t t) {
+      const double e = s.estimate[0][t] - sim::true_position_m[0];
+      return std::isfinite(e) ? e : std::numeric_limits<double>::infinity();
     });
     report(m, Iterations, scratch, sink,
            [&](std::size_t t) { return converged(t) ? s.iterations[t] : static_cast<double>(options.max_iterations); });

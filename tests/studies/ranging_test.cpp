@@ -76,9 +76,9 @@ solver = "rrr"
 k = "oracle_gm"
 similarity = 0.8
 )",
-             {0x3073cc9c629f75d5, 0x760393f19009d8cc, 0x3ea204435c6e27c7, 0x7da8a546680dbcf, 0xbc8a3c13f5108b09,
+             {0x75d2e32ed68b2069, 0x66329c3122224c7e, 0xf32bd95d5231409b, 0x656239828c0fa239, 0x2158a5267b6b81ff,
               0xd2684ff90e725d90},
-             {0x66ee7af24b5515a1, 0x95c7c3103bd71888, 0xb783743736b2d8f2, 0xcf75de2c84456fc6, 0x524532bffe666a3b,
+             {0xa47cead353a30b88, 0x95a2c00bc6039a92, 0x91921fcbdda0158, 0xc0f18556d8b61b99, 0x9086f81390de8db,
               0xde744d16eab6c4f2}},
       Golden{R"(
 experiment = "ranging"
@@ -115,8 +115,8 @@ solver = "rrr"
 k = "fixed"
 k_fixed = 0.3
 )",
-             {0xf13e32c9086d7732, 0xfaa735825af487c1, 0x43cd02eec0290d6e, 0x964ff6696a426213, 0x31e50b8206d963f6},
-             {0xbe019804ce8e69d, 0x1c7fe4d683f7c795, 0x23ebc80b17220297, 0x8c9a0676409f09e4, 0x390323d34a16b9c5}},
+             {0x4e2fb4576c80b3ac, 0x55ad42cf276f79e2, 0x577123504cde3b23, 0xded66517699ce948, 0x31e50b8206d963f6},
+             {0x307fa87340d00ee9, 0x554ab3af8df6208a, 0x7d1af0ced9acb56e, 0xb820767fec4c4032, 0x390323d34a16b9c5}},
       Golden{R"(
 experiment = "ranging"
 [noise]
@@ -126,8 +126,8 @@ scores = "random"
 [[method]]
 solver = "ols"
 )",
-             {0xedc6419bd7173ca2, 0xd2684ff90e725d90},
-             {0x1b34bbce3283ecac, 0xde744d16eab6c4f2}},
+             {0xb42af4406ca178a7, 0xd2684ff90e725d90},
+             {0xc41b13480a30a865, 0xde744d16eab6c4f2}},
       Golden{R"(
 experiment = "ranging"
 [noise]
@@ -137,8 +137,8 @@ outlier_size = 7
 [[method]]
 solver = "ols"
 )",
-             {0x5b504e66fc4a2e33, 0xd2684ff90e725d90},
-             {0x56d0af7351432850, 0xde744d16eab6c4f2}},
+             {0x834807aad2c33f20, 0xd2684ff90e725d90},
+             {0xf7699f711736cc6, 0xde744d16eab6c4f2}},
       Golden{R"(
 experiment = "ranging"
 [noise]
@@ -150,8 +150,8 @@ score_error_exponent = 0.7
 [[method]]
 solver = "ols"
 )",
-             {0x713ca2aac787c27b, 0xd2684ff90e725d90},
-             {0x3e8b00789eb04877, 0xde744d16eab6c4f2}},
+             {0x61f2686b95630707, 0xd2684ff90e725d90},
+             {0x8644285ef7a4dfd3, 0xde744d16eab6c4f2}},
       Golden{R"(
 experiment = "ranging"
 [noise]
@@ -160,8 +160,8 @@ noise_samples = [-2.0, 0.25, 0.5, 1.0, 3.0]
 [[method]]
 solver = "ols"
 )",
-             {0xa82e904367f1dc50, 0xd2684ff90e725d90},
-             {0x48b31dfbdaddc049, 0xde744d16eab6c4f2}});
+             {0x927c747acb3f9c59, 0xd2684ff90e725d90},
+             {0x78a01723cd172378, 0xde744d16eab6c4f2}});
   const Study study = read_study({"golden", "golden.toml", golden.study}, std::vector<std::string>{"trials=4096"});
   REQUIRE(study.experiment->version() == 3);
   for (const core::Isa isa : {core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512}) {
