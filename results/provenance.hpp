@@ -21,6 +21,8 @@ struct Provenance {
   // What the machine says: see `complete`.
   std::string processor;
   std::string date;  ///< when the result was sealed, UTC, ISO 8601
+  // What else the blocks come from: a line for each result that this one continues or is merged from.
+  std::vector<std::string> contributions;
 };
 
 /// Adds the processor's model, the date and the version of HDF5.
