@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/instruction_set.hpp"
+#include "app/output.hpp"
 #include "core/error.hpp"
 #include "results/result_writer.hpp"
 #include "studies/study_reader.hpp"
@@ -65,10 +66,15 @@ Job continued(studies::Study study, const std::filesystem::path& output, const s
   job.output = output;
   job.study = study;
   std::set<std::string> seen;
-  for (const results::Header& header : headers) {
-    if (!seen.insert(header.study_toml).second) continue;
-    require_same_study(header, path, study);
-    job.study = studies::united(std::move(job.study), study_of(header, path));
+  const bool has_result = path_exists(output);
+  for (std::size_t i = 0; i < headers.size(); ++i) {
+    if (!seen.insert(headers[i].study_toml).second) continue;
+    require_same_study(headers[i], path, study);
+    studies::Study found = study_of(headers[i], path);
+    // What a stopped run has not reached is nothing to keep.
+    const bool is_part = i > 0 || !has_result;
+    if (is_part) found.trials = std::min(found.trials, study.trials);
+    job.study = studies::united(std::move(job.study), found);
   }
   const core::Isa set = isa_of(isa, headers, path);
   job.plan = studies::make_plan(job.study, set);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -75,7 +76,12 @@ int merge(const MergeOptions& options) {
   results::Provenance provenance = build_provenance();
   results::complete(provenance);
   std::vector<std::filesystem::path> paths;
-  for (const Input& input : inputs) paths.emplace_back(input.path);
+  std::set<std::string> contributions;
+  for (const Input& input : inputs) {
+    paths.emplace_back(input.path);
+    for (std::string& line : results::contributions_of(input.path)) contributions.insert(std::move(line));
+  }
+  provenance.contributions.assign(contributions.begin(), contributions.end());
   results::merge_results(paths, options.output, header, provenance);
   fmt::print(stderr, "{}: {}\n", options.output, results::completeness_text(results::read_result(options.output)));
   fmt::print("{}\n", options.output);

@@ -14,6 +14,7 @@
 #include "results/hdf5.hpp"
 #include "results/header_file.hpp"
 #include "results/ledger_file.hpp"
+#include "results/provenance.hpp"
 #include "results/result_layout.hpp"
 
 namespace ridgeloc::results {
@@ -138,6 +139,23 @@ BlockSource read_result_blocks(const fs::path& path, const Header& wanted) {
         append_stored(file, found, cell, method, source.columns);
     renumber(source, found, wanted);
     return source;
+  });
+}
+
+std::vector<std::string> contributions_of(const fs::path& path) {
+  return with_result(path, [](const hdf5::File& file) {
+    const auto text = [&](const char* name) { return file.text_attribute("/provenance", name); };
+    std::vector<std::string> lines;
+    if (file.has_attribute("/provenance", "contributions"))
+      lines = file.texts_attribute("/provenance", "contributions");
+    const bool dirty = file.number_attribute("/provenance", "git_dirty") != 0;
+    const std::uint64_t threads = file.number_attribute("/provenance", "threads");
+    // A merge computes nothing: its threads are 0, and its inputs stand in its lines.
+    if (threads > 0)
+      lines.push_back(fmt::format("ridgeloc {} (commit {}{}), {}, {} threads, {}", text("program_version"),
+                                  text("git_commit"), dirty ? ", changed" : "", text("processor"), threads,
+                                  text("date")));
+    return lines;
   });
 }
 

@@ -263,7 +263,9 @@ void ResultWriter::seal(const Provenance& provenance) {
   if (has_result_) blocks.add(read_result_blocks(path_, header_));
   for (const fs::path& part : parts_) blocks.add(read_part_blocks(part, header_));
   require_complete(blocks.ledger());
-  write_result(path_, header_, blocks, provenance);
+  Provenance all = provenance;
+  if (has_result_) all.contributions = contributions_of(path_);
+  write_result(path_, header_, blocks, all);
   // The result is complete: what cannot be removed now is only in the way.
   std::error_code ignored;
   for (const fs::path& part : parts_) fs::remove(part, ignored);

@@ -17,7 +17,7 @@
 
 namespace ridgeloc::results {
 
-/// What the files of a result say of themselves: the sealed one at `path`, if there is one, and the parts that a stopped
+/// What the files of a result say of themselves: the sealed one at `path`, if there is one, then the parts that a stopped
 /// run has left beside it. Damaged parts are passed over: the writer reports them. Throws core::InputError if the sealed
 /// one is damaged, and if anything is of a version of the format that this program does not know.
 std::vector<Header> headers_at(const std::filesystem::path& path);

@@ -119,6 +119,9 @@ TEST_CASE("a time limit and SIGUSR1 stop a run and keep what is finished") {
   CHECK(limited.exit_code == 4);
   CHECK(contains(limited.error, "The same command goes on from there"));
   CHECK(folder.has("s.h5.parts"));
+  // Fewer trials are enough after all; what is there beyond them stays.
+  CHECK(folder.ridgeloc("run s.toml --trials 5000").exit_code == 0);
+  CHECK(contains(folder.ridgeloc("verify s.h5").out, "complete: 6 pairs of cell and method with 5000 trials each"));
   const Outcome signalled = folder.shell("timeout -s USR1 -k 20 1 '" RIDGELOC_PROGRAM "' run s.toml --trials 1e10");
   CHECK(signalled.exit_code == 124);  // timeout's own
   CHECK(contains(signalled.error, "stopped;"));
