@@ -88,6 +88,17 @@ void File::write_attribute(const std::string& object, const std::string& name, d
   hdf5::write(place, H5T_IEEE_F64LE, scalar_space(place), &value);
 }
 
+std::vector<std::string> File::attribute_names(const std::string& object) const {
+  std::vector<std::string> names;
+  const auto collect = [](hid_t, const char* name, const H5A_info_t*, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  if (H5Aiterate_by_name(id_, object.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names, H5P_DEFAULT) < 0)
+    fail("read", path_, "the attributes of " + object);
+  return names;
+}
+
 bool File::has_attribute(const std::string& object, const std::string& name) const {
   return H5Aexists_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
 }
@@ -121,6 +132,15 @@ std::string File::text_attribute(const std::string& object, const std::string& n
 std::uint64_t File::number_attribute(const std::string& object, const std::string& name) const {
   const std::vector<std::uint64_t> values = numbers_attribute(object, name);
   return values.empty() ? 0 : values.front();
+}
+
+double File::real_attribute(const std::string& object, const std::string& name) const {
+  const Place place{id_, path_, object, name};
+  const Handle attribute = open_attribute(place);
+  double value = 0.0;
+  if (checked_size(place, attribute, H5T_FLOAT) != 1 || H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0)
+    fail("read", path_, place.words());
+  return value;
 }
 
 void File::make_scale(const std::string& scale, const std::string& name) {

@@ -125,10 +125,10 @@ void append_stored(const hdf5::File& file, const Header& header, std::size_t cel
 BlockSource read_result_blocks(const fs::path& path, const Header& wanted) {
   return with_result(path, [&](const hdf5::File& file) {
     if (!file.contains("/failures"))
-      throw core::InputError(
-          fmt::format("{} was written by an older ridgeloc (format {}); it can be read, but not be continued or merged: "
-                      "compute it again under another name",
-                      path.string(), fmt::join(file.numbers_attribute("/", "version"), ".")));
+      throw core::InputError(fmt::format(
+          "{} was written by an older ridgeloc (format {}); it can be read, but not be continued or merged: "
+          "compute it again under another name",
+          path.string(), fmt::join(file.numbers_attribute("/", "version"), ".")));
     if (file.content_digest() != file.text_attribute("/", layout::digest_attribute))
       throw core::IoError("its numbers are not those that were written");
     const Header found = read_header(file);
@@ -142,21 +142,37 @@ BlockSource read_result_blocks(const fs::path& path, const Header& wanted) {
   });
 }
 
-std::vector<std::string> contributions_of(const fs::path& path) {
+Provenance read_provenance(const fs::path& path) {
   return with_result(path, [](const hdf5::File& file) {
-    const auto text = [&](const char* name) { return file.text_attribute("/provenance", name); };
-    std::vector<std::string> lines;
-    if (file.has_attribute("/provenance", "contributions"))
-      lines = file.texts_attribute("/provenance", "contributions");
-    const bool dirty = file.number_attribute("/provenance", "git_dirty") != 0;
-    const std::uint64_t threads = file.number_attribute("/provenance", "threads");
-    // A merge computes nothing: its threads are 0, and its inputs stand in its lines.
-    if (threads > 0)
-      lines.push_back(fmt::format("ridgeloc {} (commit {}{}), {}, {} threads, {}", text("program_version"),
-                                  text("git_commit"), dirty ? ", changed" : "", text("processor"), threads,
-                                  text("date")));
-    return lines;
+    const std::string group = "/provenance";
+    Provenance provenance;
+    provenance.program_version = file.text_attribute(group, "program_version");
+    provenance.git_commit = file.text_attribute(group, "git_commit");
+    provenance.git_dirty = file.number_attribute(group, "git_dirty") != 0;
+    provenance.compiler = file.text_attribute(group, "compiler");
+    provenance.flags = file.text_attribute(group, "flags");
+    provenance.processor = file.text_attribute(group, "processor");
+    provenance.threads = static_cast<unsigned>(file.number_attribute(group, "threads"));
+    provenance.date = file.text_attribute(group, "date");
+    if (file.has_attribute(group, "contributions"))  // since version 1.2
+      provenance.contributions = file.texts_attribute(group, "contributions");
+    for (const std::string& name : file.attribute_names(group + "/libraries"))
+      provenance.libraries.emplace_back(name, file.text_attribute(group + "/libraries", name));
+    for (const std::string& phase : file.attribute_names(group + "/wall_time_s"))
+      provenance.wall_time_s.emplace_back(phase, file.real_attribute(group + "/wall_time_s", phase));
+    return provenance;
   });
+}
+
+std::vector<std::string> contributions_of(const fs::path& path) {
+  const Provenance found = read_provenance(path);
+  std::vector<std::string> lines = found.contributions;
+  // A merge computes nothing: its threads are 0, and its inputs stand in its lines.
+  if (found.threads > 0)
+    lines.push_back(fmt::format("ridgeloc {} (commit {}{}), {}, {} threads, {}", found.program_version,
+                                found.git_commit, found.git_dirty ? ", changed" : "", found.processor, found.threads,
+                                found.date));
+  return lines;
 }
 
 FailureList read_result_failures(const fs::path& path) {
