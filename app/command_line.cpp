@@ -190,6 +190,12 @@ class CommandLine {
         ->expected(1)
         ->take_all()
         ->allow_extra_args(false);
+
+    CLI::App& report_verb = verb("report", "write results as one HTML page that opens anywhere, offline",
+                                 [this] { return report(report_); });
+    report_verb.add_option("RESULT", report_.results, "result files")->required();
+    report_verb.add_option("-o", report_.output, "file to write (default: NAME.html, of several results report.html)")
+        ->type_name("FILE");
   }
 
   int run_verb(int argc, char** argv) {
@@ -241,6 +247,7 @@ class CommandLine {
   AuditOptions audit_;
   ExportOptions export_;
   PlotOptions plot_;
+  ReportOptions report_;
 };
 
 }  // namespace

@@ -85,4 +85,10 @@ struct PlotOptions {
 };
 int plot(const PlotOptions& options);
 
+struct ReportOptions {
+  std::vector<std::string> results;
+  std::string output;  ///< empty: NAME.html here, report.html for several results
+};
+int report(const ReportOptions& options);
+
 }  // namespace ridgeloc::app

@@ -210,6 +210,20 @@ TrialTable read_trials(const fs::path& path, std::size_t cell, std::size_t metho
   return with_result(path, [&](const hdf5::File& file) { return read_table(file, cell, method); });
 }
 
+void visit_trials(const fs::path& path, std::size_t metric, const TrialVisitor& visit) {
+  with_result(path, [&](const hdf5::File& file) {
+    const Header header = read_header(file);
+    for (std::size_t cell = 0; cell < header.cells.size(); ++cell)
+      for (std::size_t method = 0; method < header.methods.size(); ++method) {
+        const std::string group = layout::trials_group(cell, header.methods[method].label);
+        const std::string column = fmt::format("{}/{}", group, header.schema.metrics.at(metric).name);
+        if (!file.contains(group) || !file.contains(column)) continue;
+        const std::vector<std::uint64_t> numbers = trial_numbers(file, group, header);
+        visit(cell, method, numbers, read_column<double>(file, column, numbers.size()));
+      }
+  });
+}
+
 std::string data_digest(const fs::path& path) {
   return with_result(path, [](const hdf5::File& file) { return file.content_digest(); });
 }
