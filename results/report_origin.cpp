@@ -44,7 +44,7 @@ std::string report_origin(const ReportSource& source, const ReportPlace&) {
     std::string lines;
     for (const std::string& line : origin.contributions)
       lines += fmt::format("{}{}", lines.empty() ? "" : "<br>", html_text(line));
-    html += entry("Goes on from", lines);
+    html += entry("Made from", lines);
   }
   html += entry("Study", html_code(header.study_hash));
   html += entry("Data, SHA-256", html_code(source.digest));
