@@ -77,7 +77,8 @@ FigureNames resolve_figure_names(const Header& header, const FigureSpec& spec) {
   for (const MethodInfo& method : header.methods) labels.push_back(method.label);
   for (const std::string& label : spec.methods) names.methods.push_back(find_name(spec, "methods", label, labels));
   if (spec.methods.empty()) {
-    for (std::size_t method = 0; method < labels.size(); ++method) names.methods.push_back(method);
+    for (std::size_t method = 0; method < labels.size(); ++method)
+      if (!header.methods[method].difference) names.methods.push_back(method);
   }
   return names;
 }

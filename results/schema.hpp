@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -29,6 +32,8 @@ struct MethodInfo {
   std::string label;
   std::string hash;         ///< identity: hash of its settings
   std::string description;  ///< the settings as text
+  /// Not a solver but the difference of two methods on the same trials, the first minus the second, by their numbers.
+  std::optional<std::array<std::size_t, 2>> difference = {};
 };
 
 /// A real-valued quantity measured per trial and method.
@@ -45,6 +50,7 @@ struct MetricInfo {
   /// Not empty: a 1 of this yes-or-no metric means that something is wrong. Footnotes of figures say how often, after
   /// this text.
   std::string alarm = {};
+  bool is_compared = false;  ///< differences of methods are taken of it, trial by trial
 };
 
 /// A yes-or-no outcome per trial and method; its rate is reported.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "studies/comparison.hpp"
 #include "studies/sections.hpp"
 #include "studies/toml_document.hpp"
 
@@ -20,6 +21,7 @@ results::FigureSpec read_figure(const toml::table& table, const Study& study, st
   for (const auto& event : study.experiment->schema().events) quantities.push_back(event.name);
   std::vector<std::string> labels = study.experiment->extra_labels();
   for (const Method& method : study.methods) labels.push_back(method.label);
+  for (const Comparison& comparison : study.comparisons) labels.push_back(label_of(comparison));
 
   const auto required = [&](const char* key, const char* what) -> const toml::node& {
     const toml::node* node = table.get(key);
