@@ -3,29 +3,15 @@
 #include <algorithm>
 
 #include "app/exit_code.hpp"
+#include "app/recomputation.hpp"
 #include "app/verbs.hpp"
-#include "core/error.hpp"
-#include "core/isa.hpp"
-#include "results/result_file.hpp"
 #include "results/text.hpp"
 #include "studies/failure_audit.hpp"
-#include "studies/study_reader.hpp"
 
 namespace ridgeloc::app {
 
 int audit(const AuditOptions& options) {
-  const results::Header header = results::read_result_header(options.result);
-  const auto isa = core::find_isa(header.isa);
-  if (!isa || !core::is_supported(*isa)) {
-    throw core::InputError(fmt::format("{}: was computed with the instruction set {}, which this processor lacks",
-                                       options.result, header.isa));
-  }
-  const studies::Study study = studies::read_study({options.result, options.result, header.study_toml});
-  const studies::Plan plan = studies::make_plan(study, *isa);
-  if (plan.header.study_hash != header.study_hash) {
-    throw core::InputError(fmt::format("{}: was computed by another version of the experiment {}; run the study again",
-                                       options.result, header.experiment));
-  }
+  const auto [header, study, plan] = recomputation_of(options.result);
   const std::uint64_t trials = std::min(options.trials.value_or(study.trials), study.trials);
   const auto counts = studies::audit_failures(study, plan, trials, options.threads);
 

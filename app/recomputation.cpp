@@ -1,0 +1,30 @@
+#include "app/recomputation.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/isa.hpp"
+#include "results/result_file.hpp"
+#include "studies/study_reader.hpp"
+
+namespace ridgeloc::app {
+
+Recomputation recomputation_of(const std::string& result) {
+  results::Header header = results::read_result_header(result);
+  const auto isa = core::find_isa(header.isa);
+  if (!isa || !core::is_supported(*isa)) {
+    throw core::InputError(
+        fmt::format("{}: was computed with the instruction set {}, which this processor lacks", result, header.isa));
+  }
+  studies::Study study = studies::read_study({result, result, header.study_toml});
+  studies::Plan plan = studies::make_plan(study, *isa);
+  if (plan.header.study_hash != header.study_hash) {
+    throw core::InputError(fmt::format("{}: was computed by another version of the experiment {}; run the study again",
+                                       result, header.experiment));
+  }
+  return {std::move(header), std::move(study), std::move(plan)};
+}
+
+}  // namespace ridgeloc::app
