@@ -9,6 +9,7 @@
 #include "sim/field_of_view.hpp"
 #include "solvers/solver.hpp"
 #include "studies/audit.hpp"
+#include "studies/ranging_replay.hpp"
 #include "studies/ranging_settings.hpp"
 #include "studies/ranging_trials.hpp"
 #include "studies/solver_settings.hpp"
@@ -183,6 +184,11 @@ methods = ["ols", "rr", "rrr"]
       }
     }
     return counts;
+  }
+
+  Replay replay(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, std::uint64_t trial,
+                Workspace& workspace) const override {
+    return replay_ranging(seed, cell, methods, trial, static_cast<RangingScratch&>(workspace));
   }
 
  private:
