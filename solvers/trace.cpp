@@ -39,7 +39,7 @@ TracedIterate iterate_at(const Method& method, const Model& model, const typenam
     iterate.weights.push_back(weight);
   }
   model.add_prior(u, weigh.largest(), equations);
-  iterate.residual_rms_m = std::sqrt(squares / static_cast<double>(model.points()));
+  iterate.residual_rms_m = std::sqrt(squares * (1.0 / static_cast<double>(model.points())));
   iterate.condition = condition_of(equations.matrix);
   return iterate;
 }

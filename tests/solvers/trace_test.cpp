@@ -61,12 +61,11 @@ std::size_t differing(const MethodChoice& method, const Batch& batch) {
     }
     if (batch.problems.has_images()) {
       same = same && same_bits(last.image_distance_mm, solutions.image_distance_mm[t]);
+    } else {
+      same = same && same_bits(last.residual_rms_m, solutions.residual_rms_m[t]);
     }
     same = same && last.weights.size() == batch.problems.points();
-    const double rms = solutions.residual_rms_m[t];
-    const bool same_rms =
-        std::isfinite(rms) ? last.residual_rms_m == Approx(rms).epsilon(1e-13) : !std::isfinite(last.residual_rms_m);
-    count += same && same_rms ? 0 : 1;
+    count += same ? 0 : 1;
   }
   return count;
 }

@@ -18,6 +18,8 @@ using results::DataTable;
 
 namespace {
 
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
 const char* methods = R"(
 [[method]]
 solver = "ols"
@@ -109,9 +111,9 @@ TEST_CASE("the kernels of a replay give the bits of the whole block, on every in
           const bool converged = status == static_cast<std::uint8_t>(core::Status::Converged);
           CHECK(text(outcome, 1, 1) == core::status_names[status]);
           const auto in_block = [&](const char* name) { return columns[m].metrics[metric(s, name)][slot]; };
-          // The block knows the truth as it is, a replay the distance to it.
           CHECK(same_bits(number(outcome, 1, "x_m"), in_block("error_x_m")));
-          CHECK(number(outcome, 1, "error_m") == Approx(in_block("error_all_m")).epsilon(1e-12));
+          // Two ways to the root of three squares, each within 4 eps of it.
+          CHECK(number(outcome, 1, "error_m") == Approx(in_block("error_all_m")).epsilon(8.0 * epsilon));
           if (converged) {
             CHECK(same_bits(number(outcome, 1, "residual_rms_m"), in_block("residual_rms_m")));
             CHECK(number(outcome, 1, "iterations") == in_block("iterations"));
@@ -143,8 +145,10 @@ TEST_CASE("a replay tells the iterations of the double path, which the baseline 
     if (has_k) CHECK(number(iterations, 0, "k") > 0.0);
   }
   CHECK(table(r.scene, "objects").rows.size() == 5);
-  CHECK(number(table(r.scene, "objects"), 2, "measured_range_m") ==
-        Approx(number(table(r.scene, "objects"), 2, "true_range_m")).margin(1.5));
+  const DataTable& objects = table(r.scene, "objects");
+  for (std::size_t j = 0; j < 5; ++j) {  // five standard deviations
+    CHECK(std::fabs(number(objects, j, "measured_range_m") - number(objects, j, "true_range_m")) < 1.5);
+  }
 }
 
 TEST_CASE("a replay asks Ceres where a method has an objective") {
@@ -158,7 +162,7 @@ TEST_CASE("a replay asks Ceres where a method has an objective") {
       continue;
     }
     REQUIRE(ceres.rows.size() == 2);
-    // rr and rrr creep: a step of 1e-9 m may be a small part of the way that is left.
+    // rr and rrr creep: their last step may be a small part of the way that is left. Other minima are metres away.
     CHECK(number(ceres, 0, "from_estimate_m") < 0.01);
   }
 }
@@ -179,10 +183,11 @@ TEST_CASE("the drawing of a replay shows the scene, every path and contours") {
   CHECK(d.window.contains({0.0, 0.0}));
   REQUIRE(d.contours);
   CHECK(d.contours->levels.size() >= 3);
-  // Least squares is least where Ceres says: at the height of the contours there is no smaller value.
+  // The least value of least squares is that of Ceres: none of the plane is smaller by more than the rounding of ranges
+  // of 20 m at most, which 1e-12 m bounds.
   const DataTable& ceres = table(r.methods[0].tables, "ceres");
   const double least = std::sqrt(2.0 * number(ceres, 0, "objective") / 3.0);
   for (const auto& row : d.contours->values) {
-    for (const double value : row) CHECK(value >= least * (1.0 - 1e-9));
+    for (const double value : row) CHECK(value >= least - 1e-12);
   }
 }
