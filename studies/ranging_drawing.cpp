@@ -183,11 +183,12 @@ results::Drawing ranging_drawing(const core::ProblemBatch& problems, const core:
     height_of = "that of Ceres' minimiser";
   }
   drawing.contours = contours_of(problems, squares, through, drawing.window);
+  const auto& levels = drawing.contours->levels;
   drawing.footnote = fmt::format(
       "the scene from above; small marks are iterates, a hollow last one did not converge; the number is that of the "
-      "iterations; contours: root mean square of the weighted residuals at z = {:.3g} m, {}{}{}",
-      through.position[2], height_of, drawing.contours->levels.empty() ? "" : ", at ",
-      drawing.contours->levels.empty() ? "" : fmt::format("{} m", fmt::join(drawing.contours->levels, ", ")));
+      "iterations; minima have the colour of a method with that objective; contours: root mean square of the weighted "
+      "residuals at z = {:.3g} m, {}{}",
+      through.position[2], height_of, levels.empty() ? "" : fmt::format(", at {} m", fmt::join(levels, ", ")));
   return drawing;
 }
 
