@@ -92,12 +92,12 @@ std::string members(const std::vector<results::DataTable>& tables, std::size_t i
 
 void print_json(const studies::Replay& replay, const Recomputation& source, const studies::Cell& cell,
                 std::uint64_t trial) {
+  const std::vector<results::Axis>& axes = source.plan.header.axes;
   std::vector<std::string> factors;
-  for (const results::Axis& axis : source.plan.header.axes) {
-    const auto a = static_cast<std::size_t>(&axis - source.plan.header.axes.data());
-    const results::FactorValue& value = axis.values[cell.indices[a]];
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const results::FactorValue& value = axes[a].values[cell.indices[a]];
     const std::string text = results::factor_text(value);
-    factors.push_back(fmt::format("{}: {}", results::json_string(axis.name),
+    factors.push_back(fmt::format("{}: {}", results::json_string(axes[a].name),
                                   std::holds_alternative<std::string>(value) ? results::json_string(text) : text));
   }
   std::vector<std::string> methods;

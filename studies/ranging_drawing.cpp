@@ -105,6 +105,29 @@ results::DrawnContours contours_of(const core::ProblemBatch& problems, const sol
   return contours;
 }
 
+/// Contours through the height of the minimum of least squares, and the footnote that says so.
+void add_contours(const core::ProblemBatch& problems, const core::Oracle& oracle, const solvers::SolverOptions& shared,
+                  results::Drawing& drawing) {
+  solvers::SolverOptions squares = shared;
+  squares.jacobian = solvers::Jacobian::Exact;
+  squares.residual = solvers::Residual::Range;
+  const Audit::Answers least = Audit(problems, oracle, {}).solve(0, *solvers::reference_objective("ols", squares));
+  solvers::ReferencePlace through({oracle.truth[0][0], oracle.truth[1][0], oracle.truth[2][0]});
+  if (!oracle.image_distance.empty()) through.image_distance_mm = oracle.image_distance[0];
+  const char* height_of = "that of the truth";
+  if (least.from_start.converged || least.from_truth.converged) {
+    through = (least.from_start.converged ? least.from_start : least.from_truth).place();
+    height_of = "that of Ceres' minimiser";
+  }
+  drawing.contours = contours_of(problems, squares, through, drawing.window);
+  const auto& levels = drawing.contours->levels;
+  drawing.footnote = fmt::format(
+      "the scene from above; small marks are iterates, a hollow last one did not converge; the number is that of the "
+      "iterations; minima have the colour of a method with that objective; contours: root mean square of the weighted "
+      "residuals at z = {:.3g} m, {}{}",
+      through.position[2], height_of, levels.empty() ? "" : fmt::format(", at {} m", fmt::join(levels, ", ")));
+}
+
 results::DrawnPath drawn(const RangingPath& path) {
   results::DrawnPath out;
   out.label = path.label;
@@ -171,24 +194,7 @@ results::Drawing ranging_drawing(const core::ProblemBatch& problems, const core:
     if (!places.points.empty()) drawing.places.push_back(std::move(places));
   }
 
-  solvers::SolverOptions squares = shared;
-  squares.jacobian = solvers::Jacobian::Exact;
-  squares.residual = solvers::Residual::Range;
-  const Audit::Answers least = Audit(problems, oracle, {}).solve(0, *solvers::reference_objective("ols", squares));
-  solvers::ReferencePlace through({truth.x, truth.y, oracle.truth[2][0]});
-  if (!oracle.image_distance.empty()) through.image_distance_mm = oracle.image_distance[0];
-  const char* height_of = "that of the truth";
-  if (least.from_start.converged || least.from_truth.converged) {
-    through = (least.from_start.converged ? least.from_start : least.from_truth).place();
-    height_of = "that of Ceres' minimiser";
-  }
-  drawing.contours = contours_of(problems, squares, through, drawing.window);
-  const auto& levels = drawing.contours->levels;
-  drawing.footnote = fmt::format(
-      "the scene from above; small marks are iterates, a hollow last one did not converge; the number is that of the "
-      "iterations; minima have the colour of a method with that objective; contours: root mean square of the weighted "
-      "residuals at z = {:.3g} m, {}{}",
-      through.position[2], height_of, levels.empty() ? "" : fmt::format(", at {} m", fmt::join(levels, ", ")));
+  add_contours(problems, oracle, shared, drawing);
   return drawing;
 }
 
