@@ -5,12 +5,14 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <exception>
 #include <functional>
 #include <new>
 #include <string>
+#include <system_error>
 #include <thread>
 
 #include "app/build_info.hpp"
@@ -50,6 +52,21 @@ std::string whole_number(const std::string& text) {
   const double value = std::strtod(text.c_str(), &end);
   const bool exact = end != text.c_str() && *end == '\0' && value == std::floor(value) && std::fabs(value) < 1e15;
   return exact ? fmt::format("{:.0f}", value) : text;
+}
+
+studies::Shard shard_of(const std::string& text) {
+  studies::Shard shard;
+  const char* end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, shard.number);
+  const bool slash = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
+  const auto count = slash ? std::from_chars(number.ptr + 1, end, shard.count) : number;
+  constexpr std::uint64_t most = 1'000'000;
+  const bool read = slash && count.ec == std::errc() && count.ptr == end;
+  if (!read || shard.number < 1 || shard.number > shard.count || shard.count > most) {
+    throw core::InputError(
+        fmt::format("--shard {}: write it as i/N with i from 1 to N and N up to {}, for example 2/7", text, most));
+  }
+  return shard;
 }
 
 void add_study_options(CLI::App& verb, StudyOptions& options) {
@@ -97,7 +114,8 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", "ridgeloc " + build_provenance().program_version);
     app_.footer(
-        "Exit codes: 0 done, 2 bad input, 3 reading or writing failed, 4 stopped by a signal (finished work kept).");
+        "Exit codes: 0 done, 1 verify found a difference, 2 bad input, 3 reading or writing failed, 4 stopped by a signal "
+        "or a time limit (finished work kept).");
 
     CLI::App& list_verb =
         verb("list", "what there is: solvers, K estimators, metrics, studies, ...", [this] { return list(list_); });
@@ -115,6 +133,31 @@ class CommandLine {
                               [this] { return run(run_); });
     add_study_options(run_verb, run_.study);
     run_verb.add_option("-o", run_.output, "result file, or a folder for several studies")->type_name("PATH");
+    run_verb
+        .add_option_function<std::string>(
+            "--shard", [this](const std::string& text) { run_.shard = shard_of(text); },
+            "compute one of N shares only, i from 1 to N; merge puts them together")
+        ->type_name("i/N");
+    run_verb.add_option("--time-limit", run_.time_limit, "stop after this time (90s, 10m, 1h30m, HH:MM:SS) and keep all")
+        ->type_name("TIME");
+
+    CLI::App& merge_verb = verb("merge", "put results of one study together: shards, or more trials, cells, methods",
+                                [this] { return merge(merge_); });
+    merge_verb.add_option("RESULT", merge_.results, "result files")->required();
+    merge_verb.add_option("-o", merge_.output, "result file to write")->required()->type_name("FILE");
+    merge_verb.add_flag("--mix-isa", merge_.mix_isa,
+                        "let results of different instruction sets stand side by side, which ends exact reproducibility");
+
+    CLI::App& verify_verb = verb("verify", "check a result, and compute some of its blocks again",
+                                 [this] { return verify(verify_); });
+    verify_verb.add_option("RESULT", verify_.result, "result file")->required();
+    verify_verb.add_option("--blocks", verify_.blocks, "random blocks to compute again")
+        ->default_val(verify_.blocks)
+        ->check(CLI::Range(std::uint64_t{0}, studies::max_trials))
+        ->type_name("N");
+    verify_verb.add_option("--seed", verify_.seed, "chooses the blocks (default: others each time)")->type_name("N");
+    verify_verb.add_flag("--digest", verify_.digest, "only print the digest of the data");
+    add_threads(verify_verb, verify_.threads);
 
     CLI::App& summary_verb = verb("summary", "print a result as tables", [this] { return summary(summary_); });
     summary_verb.add_option("RESULT", summary_.results, "result files")->required();
@@ -153,6 +196,7 @@ class CommandLine {
     export_verb.add_option("RESULT", export_.result, "result file")->required();
     export_verb.add_flag("--csv", export_.csv, "comma-separated values (the default)");
     export_verb.add_flag("--trials", export_.trials, "a row per kept trial instead");
+    export_verb.add_flag("--failures", export_.failures, "a row per failed trial that is listed instead");
     export_verb.add_option("-o", export_.output, "file to write")->type_name("FILE");
 
     CLI::App& plot_verb = verb("plot", "draw the figures of a result", [this] { return plot(plot_); });
@@ -213,6 +257,8 @@ class CommandLine {
   NewOptions new_;
   StudyOptions plan_;
   RunOptions run_;
+  MergeOptions merge_;
+  VerifyOptions verify_;
   SummaryOptions summary_;
   AuditOptions audit_;
   ReplayOptions replay_;

@@ -3,12 +3,22 @@
 #include "app/exit_code.hpp"
 #include "app/output.hpp"
 #include "app/verbs.hpp"
+#include "core/error.hpp"
 #include "results/csv.hpp"
 #include "results/result_file.hpp"
 
 namespace ridgeloc::app {
 
 int export_result(const ExportOptions& options) {
+  if (options.failures && options.trials) {
+    throw core::InputError("--trials and --failures are two tables; ask for one at a time");
+  }
+  if (options.failures) {
+    const results::Header header = results::read_result_header(options.result);
+    const results::FailureList failures = results::read_result_failures(options.result);
+    write_output(options.output, [&](std::ostream& out) { results::write_failures_csv(header, failures, out); });
+    return Success;
+  }
   if (!options.trials) {
     const results::Summary summary = results::read_result(options.result);
     write_output(options.output, [&](std::ostream& out) { results::write_summary_csv(summary, out); });

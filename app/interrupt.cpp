@@ -1,8 +1,11 @@
 #include "app/interrupt.hpp"
 
+#include <chrono>
+#include <condition_variable>
 #include <csignal>
 #include <cstdint>
 #include <ctime>
+#include <mutex>
 
 namespace ridgeloc::app {
 
@@ -39,7 +42,19 @@ const std::atomic<bool>& stop_on_signals() {
   action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  // Batch systems send this one some time before they kill a job.
+  sigaction(SIGUSR1, &action, nullptr);
   return stop_requested;
 }
+
+TimeLimit::TimeLimit(double seconds)
+    : thread_([seconds](const std::stop_token& over) {
+        std::mutex mutex;
+        std::condition_variable_any wake;
+        std::unique_lock lock(mutex);
+        const bool ended = wake.wait_for(lock, over, std::chrono::duration<double>(seconds),
+                                         [&] { return over.stop_requested(); });
+        if (!ended) stop_requested.store(true);
+      }) {}
 
 }  // namespace ridgeloc::app

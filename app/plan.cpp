@@ -7,6 +7,7 @@
 #include "app/instruction_set.hpp"
 #include "app/verbs.hpp"
 #include "core/units.hpp"
+#include "studies/assignment.hpp"
 #include "studies/audit.hpp"
 #include "studies/pilot.hpp"
 #include "studies/study_reader.hpp"
@@ -31,8 +32,8 @@ void print_plan(const studies::Study& study, core::Isa isa, int threads) {
   for (const auto& method : study.methods) fmt::print("  method   {} ({})\n", method.label, method.solver);
   fmt::print("  cells    {}\n", plan.cells.size());
   fmt::print("  trials   {:.0f} ({} per cell)\n", trials, study.trials);
-  fmt::print("  blocks   {} ({} per cell of {} trials)\n", plan.blocks_per_cell * plan.cells.size(),
-             plan.blocks_per_cell, plan.header.block_trials);
+  const studies::Assignment all = studies::everything(plan);
+  fmt::print("  blocks   {} ({} per cell of {} trials)\n", all.blocks(), all.blocks_per_cell(), all.block_trials);
   fmt::print("  pilot    {:.3g} us per trial and thread, all methods, with {} ({} trials)\n",
              pilot.seconds_per_trial * 1e6, plan.header.isa, pilot.trials);
   const double seconds = pilot.seconds_per_trial * trials + pilot.seconds_per_cell * cells;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/assignment.hpp"
+
 /// The verbs of the program, one source file each. Each returns an exit code, or throws core::InputError or
 /// core::IoError, which `main` turns into one line and an exit code.
 namespace ridgeloc::app {
@@ -33,8 +35,26 @@ int plan(const StudyOptions& options);
 struct RunOptions {
   StudyOptions study;
   std::string output;  ///< a file, or a folder for several studies; empty: NAME.h5 here
+  studies::Shard shard;
+  std::string time_limit;  ///< as `seconds_of` reads it; empty: none
 };
 int run(const RunOptions& options);
+
+struct MergeOptions {
+  std::vector<std::string> results;
+  std::string output;
+  bool mix_isa = false;  ///< whether blocks of different instruction sets may stand side by side
+};
+int merge(const MergeOptions& options);
+
+struct VerifyOptions {
+  std::string result;
+  std::uint64_t blocks = 8;           ///< to compute again
+  std::optional<std::uint64_t> seed;  ///< which; absent: others each time
+  bool digest = false;                ///< only print the digest of the data
+  int threads = 1;
+};
+int verify(const VerifyOptions& options);
 
 struct SummaryOptions {
   std::vector<std::string> results;
@@ -63,7 +83,8 @@ struct ExportOptions {
   std::string result;
   std::string output;  ///< empty: standard output
   bool csv = true;
-  bool trials = false;  ///< rows per trial instead of per metric
+  bool trials = false;    ///< rows per trial instead of per metric
+  bool failures = false;  ///< rows per failed trial that is listed
 };
 int export_result(const ExportOptions& options);
 

@@ -24,7 +24,7 @@ BlockRun::BlockRun(core::Isa isa)
       workspace_(study_.experiment->make_workspace(isa)) {}
 
 void BlockRun::run(std::uint64_t block) {
-  const studies::TrialRange range = plan_.range(block);
+  const studies::TrialRange range = studies::everything(plan_).range(block);
   results::BlockSink sink(plan_.header, 0, block, range.count);
   study_.experiment->run_block(study_.seed, plan_.cells[0], study_.methods, range, *workspace_, sink);
 }

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -21,22 +23,39 @@ std::size_t TrialColumns::bytes() const {
   return bytes;
 }
 
-BlockSink::BlockSink(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials)
+BlockSink::BlockSink(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials,
+                     std::vector<std::size_t> methods)
     : cell_(cell),
       block_(block),
       trials_(trials),
+      first_trial_(block * header.block_trials),
       events_(header.schema.events.size()),
       statuses_(header.schema.statuses),
       keeps_columns_(block < header.trial_column_blocks),
-      methods_(header.methods.size()) {
+      methods_(methods.size()) {
   if (cell >= header.cells.size() || trials == 0 || trials > header.block_trials)
     throw std::invalid_argument(fmt::format("cell {} with {} trials is not a block of the study", cell, trials));
-  for (PerMethod& method : methods_) {
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    PerMethod& method = methods_[m];
+    method.number = methods[m];
     method.statistics.trials = trials;
     method.statistics.metrics.resize(header.schema.metrics.size());
     method.columns.metrics.resize(header.schema.metrics.size());
   }
+  // The order of `failure_reasons`.
+  std::size_t reasons = 0;
+  for (std::size_t s = 0; s < statuses_; ++s)
+    status_reason_.push_back(header.schema.events[s].is_failure ? reasons++ : no_reason);
+  for (const MetricInfo& metric : header.schema.metrics)
+    metric_reason_.push_back(metric.alarm.empty() ? no_reason : reasons++);
 }
+
+BlockSink::BlockSink(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials)
+    : BlockSink(header, cell, block, trials, [&header] {
+        std::vector<std::size_t> all(header.methods.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        return all;
+      }()) {}
 
 BlockSink::PerMethod& BlockSink::begin_column(std::size_t method, std::uint64_t kind, std::size_t index,
                                               std::span<const std::byte> bytes, std::size_t values) {
@@ -61,8 +80,33 @@ void BlockSink::status(std::size_t method, std::span<const std::uint8_t> codes) 
     if (code >= statuses_) throw std::invalid_argument(fmt::format("{} is not a status code of the schema", code));
     ++counts[code];
   }
+  note_failures(target, codes);
   target.has_columns = true;
   if (keeps_columns_) target.columns.status.assign(codes.begin(), codes.end());
+}
+
+void BlockSink::note_failures(const PerMethod& method, std::span<const std::uint8_t> codes) {
+  if (method.number == unwanted) return;
+  for (std::size_t status = 0; status < statuses_; ++status) {
+    const std::uint64_t count = method.statistics.events[status];
+    if (status_reason_[status] == no_reason || count == 0) continue;
+    std::vector<std::uint64_t> trials;
+    const std::size_t wanted = std::min<std::uint64_t>(count, FailureList::limit);
+    for (std::size_t t = 0; trials.size() < wanted; ++t)
+      if (codes[t] == status) trials.push_back(first_trial_ + t);
+    failures_.insert({cell_, method.number, status_reason_[status]}, trials);
+  }
+}
+
+template <class SlotOf>
+void BlockSink::note_alarms(const PerMethod& method, std::size_t metric, std::span<const double> values,
+                            SlotOf&& slot_of) {
+  const std::size_t reason = metric_reason_[metric];
+  if (method.number == unwanted || reason == no_reason) return;
+  std::vector<std::uint64_t> trials;
+  for (std::size_t i = 0; i < values.size() && trials.size() < FailureList::limit; ++i)
+    if (values[i] == 1.0) trials.push_back(first_trial_ + slot_of(i));
+  failures_.insert({cell_, method.number, reason}, trials);
 }
 
 void BlockSink::event(std::size_t method, std::size_t event, std::span<const std::uint8_t> flags) {
@@ -76,6 +120,7 @@ void BlockSink::event(std::size_t method, std::size_t event, std::span<const std
 void BlockSink::metric(std::size_t method, std::size_t metric, std::span<const double> values) {
   PerMethod& target = begin_column(method, kind_metric, metric, std::as_bytes(values), values.size());
   target.statistics.metrics.at(metric) = statistics_of(values);
+  note_alarms(target, metric, values, std::identity());
   target.has_columns = true;
   if (keeps_columns_) target.columns.metrics[metric].assign(values.begin(), values.end());
 }
@@ -93,6 +138,7 @@ void BlockSink::sparse_metric(std::size_t method, std::size_t metric, std::span<
   target.digest.update(std::as_bytes(values));
   target.statistics.metrics.at(metric) = statistics_of(values);
   target.has_columns = true;
+  note_alarms(target, metric, values, [&](std::size_t i) { return trials[i]; });
   if (!keeps_columns_) return;
   std::vector<double>& column = target.columns.metrics[metric];
   column.assign(trials_, std::numeric_limits<double>::quiet_NaN());
@@ -101,24 +147,30 @@ void BlockSink::sparse_metric(std::size_t method, std::size_t metric, std::span<
 
 std::vector<Row> BlockSink::take_rows() {
   std::vector<Row> rows;
-  for (std::size_t m = 0; m < methods_.size(); ++m)
-    rows.push_back({cell_, m, block_, 1, std::move(methods_[m].statistics), {methods_[m].digest.value()}});
+  for (PerMethod& method : methods_) {
+    if (method.number == unwanted) continue;
+    rows.push_back({cell_, method.number, block_, 1, std::move(method.statistics), {method.digest.value()}});
+  }
   return rows;
 }
 
 std::vector<TrialColumns> BlockSink::take_columns() {
   std::vector<TrialColumns> kept;
   if (!keeps_columns_) return kept;
-  for (std::size_t m = 0; m < methods_.size(); ++m) {
-    if (!methods_[m].has_columns) continue;
-    TrialColumns columns = std::move(methods_[m].columns);
+  for (PerMethod& method : methods_) {
+    if (!method.has_columns || method.number == unwanted) continue;
+    TrialColumns columns = std::move(method.columns);
     columns.cell = cell_;
-    columns.method = m;
+    columns.method = method.number;
     columns.block = block_;
     columns.trials = trials_;
     kept.push_back(std::move(columns));
   }
   return kept;
+}
+
+FailureList BlockSink::take_failures() {
+  return std::move(failures_);
 }
 
 }  // namespace ridgeloc::results

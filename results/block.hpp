@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "results/digest.hpp"
+#include "results/failure_list.hpp"
 #include "results/ledger.hpp"
 #include "results/schema.hpp"
 
@@ -26,13 +27,21 @@ struct TrialColumns {
 
 /// Takes the columns of one block of one cell from an experiment and reduces each at once.
 ///
+/// Methods are numbered as the experiment that fills the sink numbers them, which need not be all that the study has.
 /// Columns hold one value per trial, in trial order. A method may give any of them, each at most once; one
 /// that gives neither statuses nor events (a bound that belongs to the scene, say) reports no events. The
 /// digest of a method covers its columns in the order given, which must therefore not vary. Misuse throws
 /// std::invalid_argument. One thread at a time per object.
 class BlockSink {
  public:
-  /// Precondition: cell and trials are in range, and so are methods, events and metrics in the calls below.
+  /// Stands for a method whose columns are not wanted.
+  static constexpr std::size_t unwanted = static_cast<std::size_t>(-1);
+
+  /// `methods`: for each method that will give columns, its number in the header, or `unwanted`. Precondition: cell and
+  /// trials are in range, and so are methods, events and metrics in the calls below.
+  BlockSink(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials,
+            std::vector<std::size_t> methods);
+  /// For all methods of the header.
   BlockSink(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials);
 
   /// Status codes; counted as the status events that open the schema.
@@ -50,13 +59,16 @@ class BlockSink {
   std::uint64_t block() const { return block_; }
   std::uint64_t trials() const { return trials_; }
 
-  /// The finished block: one row per method of the study. Empties the sink.
+  /// The finished block: one row per wanted method. Empties the sink.
   std::vector<Row> take_rows();
   /// The columns of the block where the study keeps them, of methods that gave any. Empties the sink.
   std::vector<TrialColumns> take_columns();
+  /// The first trials that failed in the block, by method and reason. Empties the sink.
+  FailureList take_failures();
 
  private:
   struct PerMethod {
+    std::size_t number = 0;  ///< in the header
     Statistics statistics;
     Digest64 digest;
     TrialColumns columns;
@@ -66,14 +78,23 @@ class BlockSink {
   PerMethod& begin_column(std::size_t method, std::uint64_t kind, std::size_t index, std::span<const std::byte> bytes,
                           std::size_t values);
   std::vector<std::uint64_t>& events_of(PerMethod& method) const;
+  void note_failures(const PerMethod& method, std::span<const std::uint8_t> codes);
+  template <class SlotOf>
+  void note_alarms(const PerMethod& method, std::size_t metric, std::span<const double> values, SlotOf&& slot_of);
+
+  static constexpr std::size_t no_reason = static_cast<std::size_t>(-1);
 
   std::size_t cell_;
   std::uint64_t block_;
   std::uint64_t trials_;
+  std::uint64_t first_trial_;
   std::size_t events_;
   std::size_t statuses_;
+  std::vector<std::size_t> status_reason_;  ///< per status; `no_reason`: no failure
+  std::vector<std::size_t> metric_reason_;  ///< per metric, likewise
   bool keeps_columns_;
   std::vector<PerMethod> methods_;
+  FailureList failures_;
 };
 
 }  // namespace ridgeloc::results

@@ -133,4 +133,22 @@ void write_trials_csv(const Header& header, std::size_t cell, std::size_t method
   csv.flush();
 }
 
+void write_failures_csv(const Header& header, const FailureList& failures, std::ostream& out) {
+  CsvWriter csv(out);
+  write_axis_names(header, csv);
+  for (const char* name : {"trial", "method", "reason"}) csv.text(name);
+  csv.end_line();
+  const std::vector<std::string> reasons = failure_reasons(header.schema);
+  for (const auto& [key, trials] : failures.trials()) {
+    for (const std::uint64_t trial : trials) {
+      write_factors(header, key.cell, csv);
+      csv.number(trial);
+      csv.text(header.methods[key.method].label);
+      csv.text(reasons[key.reason]);
+      csv.end_line();
+    }
+  }
+  csv.flush();
+}
+
 }  // namespace ridgeloc::results

@@ -26,4 +26,7 @@ void write_trials_csv_heading(const Header& header, std::ostream& out);
 void write_trials_csv(const Header& header, std::size_t cell, std::size_t method, const TrialTable& trials,
                       std::ostream& out);
 
+/// The listed failures: the axes, then trial, method, reason.
+void write_failures_csv(const Header& header, const FailureList& failures, std::ostream& out);
+
 }  // namespace ridgeloc::results

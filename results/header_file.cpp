@@ -139,6 +139,9 @@ void write_schema(hdf5::File& file, const Header& header) {
   write_column(file, "/events/name", header.schema.events, &EventInfo::name);
   write_column(file, "/events/description", header.schema.events, &EventInfo::description);
   file.write_attribute("/events", "statuses", header.schema.statuses);
+  std::vector<std::uint8_t> failures;
+  for (const EventInfo& event : header.schema.events) failures.push_back(event.is_failure ? 1 : 0);
+  file.write("/events/failure", failures);
 }
 
 void read_schema(const hdf5::File& file, Header& header) {
@@ -157,6 +160,11 @@ void read_schema(const hdf5::File& file, Header& header) {
   if (file.contains("/metrics/alarm")) read_column(file, "/metrics/alarm", header.schema.metrics, &MetricInfo::alarm);
   read_column(file, "/events/name", header.schema.events, &EventInfo::name);
   read_column(file, "/events/description", header.schema.events, &EventInfo::description);
+  if (file.contains("/events/failure")) {  // since version 1.2
+    const auto failures = file.read<std::uint8_t>("/events/failure");
+    require(failures.size() == header.schema.events.size(), file, "the datasets of /events differ in length");
+    for (std::size_t e = 0; e < failures.size(); ++e) header.schema.events[e].is_failure = failures[e] != 0;
+  }
   header.schema.statuses = file.number_attribute("/events", "statuses");
   require(header.schema.statuses <= header.schema.events.size(), file, "it has more statuses than events");
 }

@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/error.hpp"
 
 namespace ridgeloc::results {
 namespace {
@@ -27,6 +26,13 @@ Row join(Row left, const Row& right) {
 }
 
 }  // namespace
+
+BlockConflict::BlockConflict(std::size_t of_cell, std::size_t of_method, std::uint64_t number)
+    : core::IoError(fmt::format("block {} of cell {}, method {} was computed twice with different numbers", number,
+                                of_cell, of_method)),
+      cell(of_cell),
+      method(of_method),
+      block(number) {}
 
 void Ledger::require_valid(const Row& row) const {
   const std::uint64_t trials = row.statistics.trials;
@@ -49,16 +55,19 @@ bool Ledger::contains(std::size_t cell, std::size_t method, std::uint64_t block)
   return covering(cell, method, block) != rows_.end();
 }
 
+std::optional<Ledger::Block> Ledger::find(std::size_t cell, std::size_t method, std::uint64_t block) const {
+  const auto position = covering(cell, method, block);
+  if (position == rows_.end()) return std::nullopt;
+  const Row& row = position->second;
+  return Block{is_full(row) ? block_trials_ : row.statistics.trials, row.digests[block - row.first_block]};
+}
+
 void Ledger::require_equal(const Row& outer, const Row& inner) const {
   const auto begin = outer.digests.begin() + static_cast<std::ptrdiff_t>(inner.first_block - outer.first_block);
   const auto difference = std::mismatch(inner.digests.begin(), inner.digests.end(), begin);
   if (difference.first == inner.digests.end()) return;
   const auto offset = static_cast<std::uint64_t>(difference.first - inner.digests.begin());
-  throw core::IoError(
-      fmt::format("block {} of cell {}, method {} was computed twice with different numbers; the two come "
-                  "from different programs "
-                  "or a faulty machine: delete the older one and run again",
-                  inner.first_block + offset, inner.cell, inner.method));
+  throw BlockConflict(inner.cell, inner.method, inner.first_block + offset);
 }
 
 bool Ledger::is_known(const Row& row) {

@@ -2,13 +2,25 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <ranges>
 #include <tuple>
 #include <vector>
 
+#include "core/error.hpp"
 #include "results/statistics.hpp"
 
 namespace ridgeloc::results {
+
+/// A block that was computed twice with different numbers.
+class BlockConflict : public core::IoError {
+ public:
+  BlockConflict(std::size_t of_cell, std::size_t of_method, std::uint64_t number);
+
+  const std::size_t cell;
+  const std::size_t method;
+  const std::uint64_t block;
+};
 
 /// What one method produced over a run of blocks of one cell.
 struct Row {
@@ -34,11 +46,18 @@ class Ledger {
   explicit Ledger(std::uint64_t block_trials) : block_trials_(block_trials) {}
 
   /// Adds a run of blocks; blocks that are known already are compared by their digests and left as they are.
-  /// Throws std::invalid_argument for a row that is not an aligned run, and core::IoError if a block was
+  /// Throws std::invalid_argument for a row that is not an aligned run, and BlockConflict if a block was
   /// computed before with the same number of trials and another digest.
   void insert(Row row);
 
   bool contains(std::size_t cell, std::size_t method, std::uint64_t block) const;
+
+  /// What is known of one block; none if it is not there.
+  struct Block {
+    std::uint64_t trials = 0;
+    std::uint64_t digest = 0;
+  };
+  std::optional<Block> find(std::size_t cell, std::size_t method, std::uint64_t block) const;
 
   /// All trials of a method in a cell: its rows merged from left to right. Without any, `trials` is 0.
   Statistics total(std::size_t cell, std::size_t method) const;

@@ -9,8 +9,10 @@
 
 #include "core/error.hpp"
 #include "results/digest.hpp"
+#include "results/failure_file.hpp"
 #include "results/file_system.hpp"
 #include "results/hdf5.hpp"
+#include "results/header_file.hpp"
 #include "results/ledger_file.hpp"
 
 namespace ridgeloc::results {
@@ -19,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* filetype = "ridgeloc-part";
-constexpr std::uint64_t format_version = 1;
+constexpr std::uint64_t format_version = 2;
 
 /// Hexadecimal digits of the SHA-256 that ends a part file.
 constexpr std::uintmax_t checksum_size = 64;
@@ -91,50 +93,45 @@ void write_columns(hdf5::File& file, const std::vector<TrialColumns>& list, std:
   file.write("/columns/value", values);
 }
 
-std::vector<PartReader::Entry> read_entries(const hdf5::File& file, std::size_t metrics) {
+std::vector<StoredColumns> read_stored(const hdf5::File& file, std::size_t metrics) {
   const auto cell = file.read<std::uint64_t>("/columns/cell");
   const auto method = file.read<std::uint64_t>("/columns/method");
   const auto block = file.read<std::uint64_t>("/columns/block");
   const auto trials = file.read<std::uint64_t>("/columns/trials");
   const auto has_status = file.read<std::uint8_t>("/columns/has_status");
   const auto has_metric = file.read<std::uint8_t>("/columns/has_metric");
-  std::vector<PartReader::Entry> entries;
+  std::vector<StoredColumns> list;
   std::uint64_t status_offset = 0;
   std::uint64_t value_offset = 0;
   for (std::size_t i = 0; i < cell.size(); ++i) {
     const auto flags = has_metric.begin() + static_cast<std::ptrdiff_t>(i * metrics);
-    PartReader::Entry entry{cell[i],       method[i],          block[i],
-                            trials[i],     has_status[i] != 0, {flags, flags + static_cast<std::ptrdiff_t>(metrics)},
-                            status_offset, value_offset};
-    if (entry.has_status) status_offset += entry.trials;
-    for (const std::uint8_t given : entry.has_metric) value_offset += given * entry.trials;
-    entries.push_back(std::move(entry));
+    StoredColumns stored{cell[i],
+                         method[i],
+                         block[i],
+                         trials[i],
+                         "",
+                         has_status[i] != 0,
+                         {flags, flags + static_cast<std::ptrdiff_t>(metrics)},
+                         status_offset,
+                         value_offset};
+    if (stored.has_status) status_offset += stored.trials;
+    for (const std::uint8_t given : stored.has_metric) value_offset += given * stored.trials;
+    list.push_back(std::move(stored));
   }
-  return entries;
+  return list;
 }
 
-/// Whether a part may go into the result that the header describes.
-void require_same_study(const hdf5::File& file, const Header& header) {
-  const std::string name = file.path().string();
-  if (file.text_attribute("/", "filetype") != filetype) throw damaged(file.path(), "it is not a part of a result");
+/// Opens a part after its checksum has been found right.
+hdf5::File open_part(const fs::path& path) {
+  require_intact(path);
+  hdf5::File file = hdf5::File::open(path);
+  if (file.text_attribute("/", "filetype") != filetype) throw damaged(path, "it is not a part of a result");
   if (const std::uint64_t version = file.number_attribute("/", "version"); version != format_version)
     throw core::InputError(
         fmt::format("{} has format version {}, this program writes {}; finish with the program that began, "
                     "or delete the folder",
-                    name, version, format_version));
-
-  const std::string folder = file.path().parent_path().string();
-  if (file.text_attribute("/", "study_sha256") != sha256_hex(header.study_hash + header.study_toml))
-    throw core::InputError(fmt::format(
-        "{} holds unfinished work of another study; finish that one, delete the folder, or choose another -o", folder));
-  if (const auto version = file.number_attribute("/", "experiment_version");
-      version != static_cast<std::uint64_t>(header.experiment_version))
-    throw core::InputError(
-        fmt::format("{} was computed by version {} of the experiment, this program has {}; delete the folder", folder,
-                    version, header.experiment_version));
-  if (const std::string isa = file.text_attribute("/", "isa"); isa != header.isa)
-    throw core::InputError(fmt::format(
-        "{} was computed with the instruction set {}; go on with --isa {}, or delete the folder", folder, isa, isa));
+                    path.string(), version, format_version));
+  return file;
 }
 
 }  // namespace
@@ -144,11 +141,12 @@ void write_part(const fs::path& path, const Header& header, const Part& part) {
   hdf5::File file = hdf5::File::create(temporary.path());
   file.write_attribute("/", "filetype", std::string(filetype));
   file.write_attribute("/", "version", std::vector<std::uint64_t>{format_version, 0});
-  file.write_attribute("/", "study_sha256", sha256_hex(header.study_hash + header.study_toml));
-  file.write_attribute("/", "isa", header.isa);
-  file.write_attribute("/", "experiment_version", static_cast<std::uint64_t>(header.experiment_version));
+  write_header(file, header);
   write_ledger(file, part.ledger, header.schema);
+  write_failures(file, part.failures, header.schema);
   write_columns(file, part.columns, header.schema.metrics.size());
+  file.create_group("/provenance");
+  file.write_attribute("/provenance", "study", header.study_toml);
   file.close();
   if (hdf5::File::open(temporary.path()).content_digest() != file.written_digest())
     throw damaged(temporary.path(), "it reads back with other values than were written");
@@ -156,31 +154,18 @@ void write_part(const fs::path& path, const Header& header, const Part& part) {
   temporary.publish();
 }
 
-PartReader::PartReader(const fs::path& path, const Header& header) : ledger_(header.block_trials) {
-  require_intact(path);
-  const hdf5::File file = hdf5::File::open(path);
-  require_same_study(file, header);
-  ledger_ = read_ledger(file, header);
-  entries_ = read_entries(file, header.schema.metrics.size());
+Header read_part_header(const fs::path& path) {
+  return read_header(open_part(path));
 }
 
-std::vector<TrialColumns> read_columns(const fs::path& path, const std::vector<PartReader::Entry>& entries) {
-  const hdf5::File file = hdf5::File::open(path);
-  std::vector<TrialColumns> list;
-  for (const PartReader::Entry& entry : entries) {
-    TrialColumns columns{entry.cell, entry.method, entry.block, entry.trials, {}, {}};
-    if (entry.has_status)
-      columns.status = file.read<std::uint8_t>("/columns/status", entry.status_offset, entry.trials);
-    std::uint64_t offset = entry.value_offset;
-    for (const std::uint8_t given : entry.has_metric) {
-      columns.metrics.emplace_back();
-      if (given == 0) continue;
-      columns.metrics.back() = file.read<double>("/columns/value", offset, entry.trials);
-      offset += entry.trials;
-    }
-    list.push_back(std::move(columns));
-  }
-  return list;
+BlockSource read_part_blocks(const fs::path& path, const Header& wanted) {
+  const hdf5::File file = open_part(path);
+  const Header found = read_header(file);
+  require_same_study(found, wanted, path.parent_path().string());
+  BlockSource source{path, read_ledger(file, found), read_failures(file, found),
+                     read_stored(file, found.schema.metrics.size())};
+  renumber(source, found, wanted);
+  return source;
 }
 
 }  // namespace ridgeloc::results

@@ -4,15 +4,18 @@
 #include <vector>
 
 #include "results/block.hpp"
+#include "results/block_source.hpp"
+#include "results/failure_list.hpp"
 #include "results/ledger.hpp"
 #include "results/schema.hpp"
 
 namespace ridgeloc::results {
 
-/// What a part file holds: finished blocks of a study, whole (each with all methods), and the per-trial
-/// columns of those whose columns are kept.
+/// What a part file holds: finished blocks of a study, each with all or some of the methods, and the per-trial columns of
+/// those whose columns are kept.
 struct Part {
   Ledger ledger;
+  FailureList failures;
   std::vector<TrialColumns> columns;
 };
 
@@ -20,35 +23,12 @@ struct Part {
 /// Throws core::IoError.
 void write_part(const std::filesystem::path& path, const Header& header, const Part& part);
 
-/// An open part file whose content has been checked against its checksum.
-class PartReader {
- public:
-  /// Throws core::IoError if the file is damaged, and core::InputError if it belongs to another study,
-  /// instruction set, version of the experiment or of the format.
-  PartReader(const std::filesystem::path& path, const Header& header);
+/// What a part says of itself. Throws core::IoError if it is damaged, and core::InputError if it is of another version
+/// of the format.
+Header read_part_header(const std::filesystem::path& path);
 
-  const Ledger& ledger() const { return ledger_; }
-
-  /// Which block, cell and method each of the stored column sets is of, and where it lies.
-  struct Entry {
-    std::size_t cell = 0;
-    std::size_t method = 0;
-    std::uint64_t block = 0;
-    std::uint64_t trials = 0;
-    bool has_status = false;
-    std::vector<std::uint8_t> has_metric;
-    std::uint64_t status_offset = 0;
-    std::uint64_t value_offset = 0;
-  };
-  const std::vector<Entry>& entries() const { return entries_; }
-
- private:
-  Ledger ledger_;
-  std::vector<Entry> entries_;
-};
-
-/// Columns of some entries of a part that a `PartReader` has checked, in the order asked for.
-std::vector<TrialColumns> read_columns(const std::filesystem::path& path,
-                                       const std::vector<PartReader::Entry>& entries);
+/// The blocks of a part, numbered as `wanted` numbers them. Throws core::IoError if the file is damaged, and
+/// core::InputError if it belongs to another study, instruction set, version of the experiment or of the format.
+BlockSource read_part_blocks(const std::filesystem::path& path, const Header& wanted);
 
 }  // namespace ridgeloc::results

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,7 +22,13 @@ struct Provenance {
   // What the machine says: see `complete`.
   std::string processor;
   std::string date;  ///< when the result was sealed, UTC, ISO 8601
+  // What else the blocks come from: a line for each sealed result that this one goes on from or is merged from.
+  std::vector<std::string> contributions;
 };
+
+/// The contributions of a sealed result, and a line for itself: which program computed it, where and when. Throws
+/// core::InputError if it cannot be read.
+std::vector<std::string> contributions_of(const std::filesystem::path& result);
 
 /// Adds the processor's model, the date and the version of HDF5.
 void complete(Provenance& provenance);

@@ -1,6 +1,7 @@
 #include "results/result_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <fstream>
 
@@ -8,9 +9,12 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "results/block_source.hpp"
+#include "results/failure_file.hpp"
 #include "results/hdf5.hpp"
 #include "results/header_file.hpp"
 #include "results/ledger_file.hpp"
+#include "results/provenance.hpp"
 #include "results/result_layout.hpp"
 
 namespace ridgeloc::results {
@@ -97,7 +101,67 @@ TrialTable read_table(const hdf5::File& file, std::size_t cell, std::size_t meth
   return table;
 }
 
+/// Where the values of single trials lie that a result keeps of one method in one cell.
+void append_stored(const hdf5::File& file, const Header& header, std::size_t cell, std::size_t method,
+                   std::vector<StoredColumns>& list) {
+  const std::string group = layout::trials_group(cell, header.methods[method].label);
+  if (!file.contains(group)) return;
+  const auto blocks = file.read<std::uint64_t>(group + "/block");
+  const auto counts = file.read<std::uint64_t>(group + "/block_trials");
+  if (blocks.size() != counts.size()) throw core::IoError(fmt::format("the datasets of {} differ in length", group));
+  const bool has_status = file.contains(group + "/status");
+  std::vector<std::uint8_t> has_metric;
+  for (const MetricInfo& metric : header.schema.metrics)
+    has_metric.push_back(file.contains(fmt::format("{}/{}", group, metric.name)) ? 1 : 0);
+  std::uint64_t offset = 0;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    list.push_back({cell, method, blocks[b], counts[b], group, has_status, has_metric, offset, offset});
+    offset += counts[b];
+  }
+}
+
 }  // namespace
+
+BlockSource read_result_blocks(const fs::path& path, const Header& wanted) {
+  return with_result(path, [&](const hdf5::File& file) {
+    if (!file.contains("/failures"))
+      throw core::InputError(
+          fmt::format("{} was written by an older ridgeloc (format {}); it can be read, but not be continued or merged: "
+                      "compute it again under another name",
+                      path.string(), fmt::join(file.numbers_attribute("/", "version"), ".")));
+    if (file.content_digest() != file.text_attribute("/", layout::digest_attribute))
+      throw core::IoError("its numbers are not those that were written");
+    const Header found = read_header(file);
+    require_same_study(found, wanted, path.string());
+    BlockSource source{path, read_ledger(file, found), read_failures(file, found), {}};
+    for (std::size_t cell = 0; cell < found.cells.size(); ++cell)
+      for (std::size_t method = 0; method < found.methods.size(); ++method)
+        append_stored(file, found, cell, method, source.columns);
+    renumber(source, found, wanted);
+    return source;
+  });
+}
+
+std::vector<std::string> contributions_of(const fs::path& path) {
+  return with_result(path, [](const hdf5::File& file) {
+    const auto text = [&](const char* name) { return file.text_attribute("/provenance", name); };
+    std::vector<std::string> lines;
+    if (file.has_attribute("/provenance", "contributions"))
+      lines = file.texts_attribute("/provenance", "contributions");
+    const bool dirty = file.number_attribute("/provenance", "git_dirty") != 0;
+    const std::uint64_t threads = file.number_attribute("/provenance", "threads");
+    // A merge computes nothing: its threads are 0, and its inputs stand in its lines.
+    if (threads > 0)
+      lines.push_back(fmt::format("ridgeloc {} (commit {}{}), {}, {} threads, {}", text("program_version"),
+                                  text("git_commit"), dirty ? ", changed" : "", text("processor"), threads,
+                                  text("date")));
+    return lines;
+  });
+}
+
+FailureList read_result_failures(const fs::path& path) {
+  return with_result(path, [](const hdf5::File& file) { return read_failures(file, read_header(file)); });
+}
 
 Summary summarize(const Header& header, const Ledger& ledger) {
   Summary summary{header, {}};

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "results/failure_list.hpp"
 #include "results/ledger.hpp"
 #include "results/summary.hpp"
 
@@ -21,6 +22,9 @@ Header read_result_header(const std::filesystem::path& path);
 
 /// The rows behind the totals, with a digest per block.
 Ledger read_result_ledger(const std::filesystem::path& path);
+
+/// The first trials that failed, by cell, method and reason; empty if the file is older than the list.
+FailureList read_result_failures(const std::filesystem::path& path);
 
 /// The trials of one method in one cell whose values are kept.
 struct TrialTable {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 
 #include "core/error.hpp"
+#include "results/failure_file.hpp"
 #include "results/file_system.hpp"
 #include "results/hdf5.hpp"
 #include "results/header_file.hpp"
@@ -32,6 +32,7 @@ void write_provenance(hdf5::File& file, const Header& header, const Provenance& 
   file.write_attribute(group, "processor", provenance.processor);
   file.write_attribute(group, "threads", std::uint64_t{provenance.threads});
   file.write_attribute(group, "date", provenance.date);
+  file.write_attribute(group, "contributions", provenance.contributions);
   file.create_group(group + "/libraries");
   for (const auto& [name, version] : provenance.libraries) file.write_attribute(group + "/libraries", name, version);
   file.create_group(group + "/wall_time_s");
@@ -76,40 +77,32 @@ void write_method_trials(hdf5::File& file, const Header& header, const Columns& 
         hdf5::Layout::Contiguous);
 }
 
+/// Columns come sorted by method and block.
 void write_cell_trials(hdf5::File& file, const Header& header, const std::vector<TrialColumns>& cell) {
   if (cell.empty()) return;
-  Columns sorted;
-  for (const TrialColumns& columns : cell) sorted.push_back(&columns);
-  // Of a block that is there twice the longer one counts, as in the ledger; equally long ones are equal: the ledger has
-  // compared their digests.
-  std::ranges::sort(sorted, [](const TrialColumns* a, const TrialColumns* b) {
-    return std::tuple(a->method, a->block, b->trials) < std::tuple(b->method, b->block, a->trials);
-  });
-  const auto repeated =
-      std::ranges::unique(sorted, {}, [](const TrialColumns* c) { return std::tuple(c->method, c->block); });
-  sorted.erase(repeated.begin(), repeated.end());
-
   file.create_group(layout::trials_group(cell.front().cell));
-  for (auto begin = sorted.begin(); begin != sorted.end();) {
-    const auto end = std::find_if(begin, sorted.end(), [&](const auto* c) { return c->method != (*begin)->method; });
-    write_method_trials(file, header, Columns(begin, end));
+  for (auto begin = cell.begin(); begin != cell.end();) {
+    const auto end = std::find_if(begin, cell.end(), [&](const auto& c) { return c.method != begin->method; });
+    Columns blocks;
+    for (auto block = begin; block != end; ++block) blocks.push_back(&*block);
+    write_method_trials(file, header, blocks);
     begin = end;
   }
 }
 
 }  // namespace
 
-void write_result(const fs::path& path, const Header& header, const Ledger& ledger, const ColumnSource& columns,
-                  const Provenance& provenance) {
+void write_result(const fs::path& path, const Header& header, const BlockUnion& blocks, const Provenance& provenance) {
   TemporaryFile temporary(path);
   hdf5::File file = hdf5::File::create(temporary.path());
   file.write_attribute("/", "filetype", std::string(layout::filetype));
   file.write_attribute("/", "version", std::vector<std::uint64_t>{layout::major_version, layout::minor_version});
   write_header(file, header);
-  write_summary(file, summarize(header, ledger));
-  write_ledger(file, ledger, header.schema);
+  write_summary(file, summarize(header, blocks.ledger()));
+  write_ledger(file, blocks.ledger(), header.schema);
+  write_failures(file, blocks.failures(), header.schema);
   file.create_group("/trials");
-  for (std::size_t cell = 0; cell < header.cells.size(); ++cell) write_cell_trials(file, header, columns(cell));
+  for (std::size_t cell = 0; cell < header.cells.size(); ++cell) write_cell_trials(file, header, blocks.columns(cell));
   write_provenance(file, header, provenance);
   const std::string digest = file.written_digest();
   file.write_attribute("/", layout::digest_attribute, digest);

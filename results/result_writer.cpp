@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
 #include "core/error.hpp"
-#include "results/hdf5.hpp"
+#include "results/block_union.hpp"
+#include "results/result_file.hpp"
 #include "results/result_seal.hpp"
 
 namespace ridgeloc::results {
@@ -24,39 +25,59 @@ constexpr std::chrono::seconds part_age{5};
 
 constexpr const char* part_extension = ".h5";
 
-/// Every cell must have all its trials before the result may say so: parts may have been taken away meanwhile.
-void require_complete(const Ledger& ledger, const Header& header, const fs::path& folder) {
-  std::vector<std::uint64_t> trials(header.cells.size() * header.methods.size(), 0);
-  for (const Row& row : ledger.rows()) trials[row.cell * header.methods.size() + row.method] += row.statistics.trials;
-  const auto missing = std::ranges::count_if(trials, [&](std::uint64_t present) { return present < header.trials; });
-  if (missing > 0)
-    throw core::IoError(fmt::format("{} of {} pairs of cell and method lack trials that were computed: {} was changed",
-                                    missing, trials.size(), folder.string()));
+/// When so many parts are small, they become one, so that a run of days does not leave a file for every few seconds.
+constexpr std::size_t most_small_parts = 64;
+constexpr std::uintmax_t small_part_bytes = std::uintmax_t{1} << 20;
+
+/// Parts in a folder, in order of their names, and temporaries that a killed program has left.
+struct FolderContent {
+  std::vector<fs::path> parts;
+  std::vector<fs::path> temporaries;
+};
+
+FolderContent content_of(const fs::path& folder) {
+  FolderContent content;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+    if (TemporaryFile::is_temporary(entry.path())) {
+      content.temporaries.push_back(entry.path());
+    } else if (entry.path().extension() == part_extension) {
+      content.parts.push_back(entry.path());
+    }
+  }
+  std::ranges::sort(content.parts);
+  return content;
 }
 
-/// Where the kept columns of one cell are: per part, its entries.
-using CellIndex = std::map<fs::path, std::vector<PartReader::Entry>>;
+fs::path parts_folder(const fs::path& path) {
+  return path.string() + ".parts";
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code unknown;
+  return fs::exists(path, unknown);
+}
 
 }  // namespace
 
-std::optional<std::string> isa_of_unfinished(const fs::path& path) {
-  std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path.string() + ".parts", none)) {
-    if (entry.path().extension() != part_extension || TemporaryFile::is_temporary(entry.path())) continue;
+std::vector<Header> headers_at(const fs::path& path) {
+  std::vector<Header> headers;
+  if (is_there(path)) headers.push_back(read_result_header(path));
+  for (const fs::path& part : content_of(parts_folder(path)).parts) {
     try {
-      return hdf5::File::open(entry.path()).text_attribute("/", "isa");
+      headers.push_back(read_part_header(part));
     } catch (const core::IoError&) {
-      // Damaged: another part may tell, and the writer reports this one.
+      continue;
     }
   }
-  return std::nullopt;
+  return headers;
 }
 
 ResultWriter::ResultWriter(fs::path path, Header header)
     : path_(std::move(path)),
-      folder_(path_.string() + ".parts"),
+      folder_(parts_folder(path_)),
       header_(std::move(header)),
-      done_(header_.cells.size()),
+      present_(header_.cells.size() * header_.methods.size()),
       pending_(new_part()),
       last_part_(std::chrono::steady_clock::now()) {
   require_writable(path_);
@@ -67,11 +88,13 @@ ResultWriter::ResultWriter(fs::path path, Header header)
         fmt::format("cannot create the folder {}: {}; choose another -o", folder_.string(), error.message()));
   lock_ = std::make_unique<FolderLock>(folder_);
   TemporaryFile::remove_leftovers(path_);
-  if (fs::exists(path_, error)) {
+  try {
+    adopt_result();
+    adopt_parts();
+  } catch (...) {
     remove_folder_if_empty();
-    throw core::InputError(fmt::format("{} exists; choose another -o or remove it", path_.string()));
+    throw;
   }
-  adopt_parts();
 }
 
 ResultWriter::~ResultWriter() {
@@ -86,23 +109,23 @@ ResultWriter::~ResultWriter() {
 }
 
 Part ResultWriter::new_part() const {
-  return {Ledger(header_.block_trials), {}};
+  return {Ledger(header_.block_trials), {}, {}};
+}
+
+void ResultWriter::adopt_result() {
+  has_result_ = is_there(path_);
+  if (!has_result_) return;
+  mark_present(read_result_blocks(path_, header_));
+  is_same_study_ = read_result_header(path_).study_toml == header_.study_toml;
 }
 
 void ResultWriter::adopt_parts() {
-  std::vector<fs::path> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
-    std::error_code ignored;
-    if (TemporaryFile::is_temporary(entry.path())) {
-      fs::remove(entry.path(), ignored);
-    } else if (entry.path().extension() == part_extension) {
-      found.push_back(entry.path());
-    }
-  }
-  std::ranges::sort(found);
-  for (const fs::path& part : found) {
+  const FolderContent content = content_of(folder_);
+  std::error_code ignored;
+  for (const fs::path& temporary : content.temporaries) fs::remove(temporary, ignored);
+  for (const fs::path& part : content.parts) {
     try {
-      mark_done(PartReader(part, header_).ledger());
+      mark_present(read_part_blocks(part, header_));
       parts_.push_back(part);
     } catch (const core::IoError& error) {
       damaged_parts_.push_back(part);
@@ -110,19 +133,39 @@ void ResultWriter::adopt_parts() {
     }
   }
   // Damaged parts keep their names until the result is sealed, and none is overwritten.
-  next_part_ = found.size();
-  for (const BlockSet& blocks : done_) adopted_blocks_ += blocks.size();
+  next_part_ = content.parts.size();
 }
 
-void ResultWriter::mark_done(const Ledger& ledger) {
-  // Each block comes with all methods, so that the rows of the first one name them.
-  for (const Row& row : ledger.rows())
-    if (row.method == 0) done_[row.cell].insert(row.first_block, row.blocks);
+void ResultWriter::mark_present(const BlockSource& source) {
+  for (const Row& row : source.ledger.rows()) mark_present(row);
+  for (const StoredColumns& stored : source.columns)
+    present(stored.cell, stored.method).columns.insert(stored.block, 1, stored.trials, header_.block_trials);
 }
 
-bool ResultWriter::contains(std::size_t cell, std::uint64_t block) const {
+void ResultWriter::mark_present(const Row& row) {
+  present(row.cell, row.method)
+      .blocks.insert(row.first_block, row.blocks, row.statistics.trials, header_.block_trials);
+}
+
+void ResultWriter::mark_present(const TrialColumns& columns) {
+  present(columns.cell, columns.method).columns.insert(columns.block, 1, columns.trials, header_.block_trials);
+}
+
+std::vector<std::size_t> ResultWriter::missing_methods(std::size_t cell, std::uint64_t block, std::uint64_t trials,
+                                                       const std::vector<std::size_t>& methods) const {
+  const bool keeps_columns = block < header_.trial_column_blocks;
+  std::vector<std::size_t> missing;
   const std::lock_guard lock(state_mutex_);
-  return done_.at(cell).contains(block);
+  for (const std::size_t method : methods) {
+    const Present& there = present_.at(cell * header_.methods.size() + method);
+    if (!there.blocks.contains(block, trials) || (keeps_columns && !there.columns.contains(block, trials)))
+      missing.push_back(method);
+  }
+  return missing;
+}
+
+bool ResultWriter::is_current() const {
+  return is_same_study_ && parts_.empty() && damaged_parts_.empty() && pending_.ledger.size() == 0;
 }
 
 void ResultWriter::add(std::vector<BlockSink> blocks) {
@@ -130,12 +173,16 @@ void ResultWriter::add(std::vector<BlockSink> blocks) {
   {
     const std::lock_guard lock(state_mutex_);
     for (BlockSink& block : blocks) {
-      done_.at(block.cell()).insert(block.block(), 1);
       for (TrialColumns& columns : block.take_columns()) {
+        mark_present(columns);
         pending_column_bytes_ += columns.bytes();
         pending_.columns.push_back(std::move(columns));
       }
-      for (Row& row : block.take_rows()) pending_.ledger.insert(std::move(row));
+      for (Row& row : block.take_rows()) {
+        mark_present(row);
+        pending_.ledger.insert(std::move(row));
+      }
+      pending_.failures.insert(block.take_failures());
     }
     const bool is_old = std::chrono::steady_clock::now() - last_part_ > part_age;
     if (is_old || pending_.ledger.bytes() + pending_column_bytes_ > part_bytes) due = take_pending();
@@ -161,33 +208,64 @@ Part ResultWriter::take_pending() {
 void ResultWriter::write(const Part& part) {
   if (part.ledger.size() == 0) return;
   const std::lock_guard lock(parts_mutex_);
+  const fs::path path = next_part_path();
+  write_part(path, header_, part);
+  parts_.push_back(path);
+  unite_small_parts();
+}
+
+fs::path ResultWriter::next_part_path() {
   fs::path path;
   do {
     path = folder_ / fmt::format("part-{:06}{}", next_part_++, part_extension);
   } while (fs::exists(path));
-  write_part(path, header_, part);
-  parts_.push_back(path);
+  return path;
+}
+
+void ResultWriter::unite_small_parts() {
+  std::vector<fs::path> small, others;
+  for (const fs::path& part : parts_) {
+    std::error_code unknown;  // a vanished part is found out when the result is sealed
+    (fs::file_size(part, unknown) <= small_part_bytes ? small : others).push_back(part);
+  }
+  if (small.size() < most_small_parts) return;
+  Part united = new_part();
+  for (const fs::path& path : small) {
+    const BlockSource source = read_part_blocks(path, header_);
+    for (const Row& row : source.ledger.rows()) united.ledger.insert(row);
+    united.failures.insert(source.failures);
+    std::ranges::move(read_columns(path, header_.schema, source.columns), std::back_inserter(united.columns));
+  }
+  const fs::path path = next_part_path();
+  write_part(path, header_, united);
+  others.push_back(path);
+  parts_ = std::move(others);
+  // A kill in between leaves blocks twice, which counts once.
+  std::error_code ignored;
+  for (const fs::path& part : small) fs::remove(part, ignored);
+}
+
+void ResultWriter::require_complete(const Ledger& ledger) const {
+  std::vector<std::uint64_t> trials(present_.size(), 0);
+  for (const Row& row : ledger.rows()) trials[row.cell * header_.methods.size() + row.method] += row.statistics.trials;
+  std::size_t missing = 0;
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    if (trials[i] < present_[i].blocks.trials(header_.block_trials)) ++missing;
+  if (missing > 0)
+    throw core::IoError(fmt::format("{} of {} pairs of cell and method lack trials that were computed: {} was changed",
+                                    missing, trials.size(), folder_.string()));
 }
 
 void ResultWriter::seal(const Provenance& provenance) {
   flush();
   const std::lock_guard lock(parts_mutex_);
-  Ledger ledger(header_.block_trials);
-  std::vector<CellIndex> index(header_.cells.size());
-  for (const fs::path& path : parts_) {
-    const PartReader part(path, header_);
-    for (const Row& row : part.ledger().rows()) ledger.insert(row);
-    for (const PartReader::Entry& entry : part.entries()) index.at(entry.cell)[path].push_back(entry);
-  }
-  require_complete(ledger, header_, folder_);
-
-  const auto columns_of = [&index](std::size_t cell) {
-    std::vector<TrialColumns> columns;
-    for (const auto& [path, entries] : index[cell])
-      for (TrialColumns& block : read_columns(path, entries)) columns.push_back(std::move(block));
-    return columns;
-  };
-  write_result(path_, header_, ledger, columns_of, provenance);
+  BlockUnion blocks(header_);
+  if (has_result_) blocks.add(read_result_blocks(path_, header_));
+  for (const fs::path& part : parts_) blocks.add(read_part_blocks(part, header_));
+  require_complete(blocks.ledger());
+  Provenance all = provenance;
+  if (has_result_) all.contributions = contributions_of(path_);
+  write_result(path_, header_, blocks, all);
   // The result is complete: what cannot be removed now is only in the way.
   std::error_code ignored;
   for (const fs::path& part : parts_) fs::remove(part, ignored);

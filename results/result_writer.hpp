@@ -5,12 +5,11 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "results/block.hpp"
-#include "results/block_set.hpp"
+#include "results/coverage.hpp"
 #include "results/file_system.hpp"
 #include "results/part.hpp"
 #include "results/provenance.hpp"
@@ -18,22 +17,24 @@
 
 namespace ridgeloc::results {
 
-/// The instruction set that computed what a stopped run has left of the result at `path`, if it has left anything.
-std::optional<std::string> isa_of_unfinished(const std::filesystem::path& path);
+/// What the files of a result say of themselves: the sealed one at `path`, if there is one, then the parts that a stopped
+/// run has left beside it. Damaged parts are passed over: the writer reports them. Throws core::InputError if the sealed
+/// one is damaged, and if anything is of a version of the format that this program does not know.
+std::vector<Header> headers_at(const std::filesystem::path& path);
 
 /// Collects the finished blocks of a study and makes its result file.
 ///
 /// Blocks go to immutable part files in `<path>.parts/` every few seconds or megabytes, so that memory stays
-/// flat and a killed program loses little; `seal` turns the parts into `<path>`. The data of the result do
-/// not depend on the order of blocks, on how they fell into parts, or on interruptions. If anything fails,
-/// the finished parts stay and the same study goes on from there.
+/// flat and a killed program loses little; `seal` turns what `<path>` held before, and the parts, into a new `<path>`. The
+/// data of the result do not depend on the order of blocks, on how they fell into parts, or on interruptions. If anything
+/// fails, the finished parts stay and the same study goes on from there.
 ///
-/// `contains`, `add` and `flush` may be called from any thread.
+/// `missing_methods`, `add` and `flush` may be called from any thread.
 class ResultWriter {
  public:
-  /// Checks that `path` can be written and does not exist, and takes over the parts that a stopped run of the same
-  /// study has left. Throws core::InputError if it cannot or does, if the parts are of another study, or if another
-  /// run is writing them.
+  /// Checks that `path` can be written, and takes over what it holds and what a stopped run has left. All of that must
+  /// be of the study that the header describes, and in it: throws core::InputError otherwise, and if another run is
+  /// writing.
   ResultWriter(std::filesystem::path path, Header header);
   /// Keeps what was added as a part if that is possible, and removes the folder of parts if there are none.
   ~ResultWriter();
@@ -42,10 +43,15 @@ class ResultWriter {
 
   /// One line for each part that was found damaged and is ignored: its blocks count as missing.
   const std::vector<std::string>& warnings() const { return warnings_; }
-  /// Number of blocks, counted over cells, that were taken over from a stopped run.
-  std::uint64_t adopted_blocks() const { return adopted_blocks_; }
 
-  bool contains(std::size_t cell, std::uint64_t block) const;
+  /// Those of the methods, as the header numbers them, that lack the block with so many trials, or the values of its
+  /// trials where the study keeps them.
+  std::vector<std::size_t> missing_methods(std::size_t cell, std::uint64_t block, std::uint64_t trials,
+                                           const std::vector<std::size_t>& methods) const;
+
+  /// Whether the sealed result is as `seal` would make it now: nothing was added, and it says of itself what the header
+  /// says.
+  bool is_current() const;
 
   /// Takes finished blocks. Throws core::IoError if a part cannot be written.
   void add(std::vector<BlockSink> blocks);
@@ -53,28 +59,42 @@ class ResultWriter {
   /// Writes what was added since the last part as a part.
   void flush();
 
-  /// Makes the result file from all parts and removes them. Nothing may be added afterwards.
-  /// Throws core::IoError, and then the parts stay.
+  /// Makes the result file and removes the parts. Nothing may be added afterwards.
+  /// Throws core::IoError, and then the parts and what was there before stay.
   void seal(const Provenance& provenance);
 
  private:
+  /// What is there of one method in one cell.
+  struct Present {
+    Coverage blocks;
+    Coverage columns;
+  };
+
+  void adopt_result();
   void adopt_parts();
-  void mark_done(const Ledger& ledger);
+  void mark_present(const BlockSource& source);
+  void mark_present(const Row& row);
+  void mark_present(const TrialColumns& columns);
+  Present& present(std::size_t cell, std::size_t method) { return present_[cell * header_.methods.size() + method]; }
   Part new_part() const;
   Part take_pending();
   void write(const Part& part);
+  std::filesystem::path next_part_path();
+  void unite_small_parts();
+  void require_complete(const Ledger& ledger) const;
   void remove_folder_if_empty();
 
   std::filesystem::path path_;
   std::filesystem::path folder_;
   Header header_;
+  bool has_result_ = false;     ///< whether `path_` is a result that this one goes on from
+  bool is_same_study_ = false;  ///< whether that one's study is this one to the letter
   std::unique_ptr<FolderLock> lock_;
   std::vector<std::string> warnings_;
   std::vector<std::filesystem::path> damaged_parts_;
-  std::uint64_t adopted_blocks_ = 0;
 
   mutable std::mutex state_mutex_;  ///< guards the next four
-  std::vector<BlockSet> done_;      ///< per cell
+  std::vector<Present> present_;    ///< cell * methods + method
   Part pending_;
   std::size_t pending_column_bytes_ = 0;
   std::chrono::steady_clock::time_point last_part_;

@@ -51,6 +51,7 @@ struct MetricInfo {
 struct EventInfo {
   std::string name;
   std::string description;
+  bool is_failure = false;  ///< of a status: the trial has no usable answer
 };
 
 /// What an experiment measures. The first events are the statuses, in the order of their codes.
@@ -72,6 +73,9 @@ struct FigureSpec {
   std::vector<std::string> methods;  ///< restricts to these labels; empty: all that have the metric
   bool log_y = false;
 };
+
+/// Stands for the instruction set of a result whose blocks were computed with several.
+inline constexpr const char* mixed_isa = "mixed";
 
 /// Everything that says what a result is, apart from its numbers.
 struct Header {

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "results/completeness.hpp"
 #include "results/interval.hpp"
 #include "results/text.hpp"
 
@@ -128,6 +129,7 @@ std::string summary_table(const Summary& summary) {
     }
   }
   std::string text = heading(summary.header);
+  if (completeness_of(summary).incomplete > 0) text += completeness_text(summary) + "\n";
   for (const Block& block : blocks) {
     const std::string cell = cell_text(summary.header, block.cell);
     text += fmt::format("\n{}{}{}\n", cell, cell.empty() ? "" : ": ", summary.header.methods[block.method].label);

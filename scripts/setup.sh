@@ -10,6 +10,7 @@ packages=(
   catch2 libxsimd-dev librandom123-dev libssl-dev libxxhash-dev gnuplot-nox
   # Other readers of the result files; only the tests use them.
   python3-h5py python3-xarray python3-h5netcdf python3-netcdf4
+  netcdf-bin r-base-core r-bioc-rhdf5
 )
 bench_packages=(libbenchmark-dev libgsl-dev libcminpack-dev python3-scipy)
 

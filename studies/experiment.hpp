@@ -95,7 +95,7 @@ class Experiment {
   /// The end of a template study: a [sweep], [[method]]s and a [[figure]] worth starting from.
   virtual std::string_view example() const = 0;
 
-  /// Solvers that a [[method]] may name, and which settings each of them reads.
+  /// Solvers that a [[method]] may name, and which settings each of them, or what an extra label stands for, reads.
   virtual std::vector<std::string> solvers() const = 0;
   virtual std::vector<std::string> settings_of_solver(std::string_view solver) const = 0;
 

@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
+#include <set>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -71,11 +71,12 @@ std::vector<Cell> make_cells(const Study& study) {
         cell.values[study.sweep[a].setting->name] = study.sweep[a].values[counter[g]];
       }
     }
-    std::string content;
+    // By name, so that the order of the axes does not change what a cell is.
+    std::set<std::string> content;
     for (const SweepAxis& axis : study.sweep) {
-      content += fmt::format("{} = {}\n", axis.setting->name, to_toml(cell.values[axis.setting->name]));
+      content.insert(fmt::format("{} = {}\n", axis.setting->name, to_toml(cell.values[axis.setting->name])));
     }
-    cell.hash = short_hash(content);
+    cell.hash = short_hash(fmt::format("{}", fmt::join(content, "")));
     if (!excluded(study, cell.values)) cells.push_back(std::move(cell));
 
     more = false;
@@ -85,20 +86,6 @@ std::vector<Cell> make_cells(const Study& study) {
     }
   }
   return cells;
-}
-
-/// What changes every number and is neither swept nor a method's own. Trials, figures and titles are not part of it, so
-/// a longer or wider study continues an old result.
-std::string study_content(const Study& study) {
-  std::string content = fmt::format("experiment = {} version {}\nseed = {}\nblock = {}\naudit = {}\n",
-                                    study.experiment->name(), study.experiment->version(), study.seed,
-                                    study.experiment->block_trials(), to_toml(Value(study.audit)));
-  for (const Setting& setting : study.experiment->settings()) {
-    const auto value = study.fixed.find(setting.name);
-    if (setting.per_method || value == study.fixed.end()) continue;
-    content += fmt::format("{} = {}\n", setting.name, to_toml(value->second));
-  }
-  return content;
 }
 
 /// The settings that a method's solver reads, swept ones aside.
@@ -122,7 +109,7 @@ results::Header make_header(const Study& study, const std::vector<Cell>& cells, 
   header.title = study.title;
   header.experiment = study.experiment->name();
   header.experiment_version = study.experiment->version();
-  header.study_hash = results::sha256_hex(study_content(study));
+  header.study_hash = results::sha256_hex(fmt::format("{}\n", fmt::join(study_content(study), "\n")));
   header.study_toml = resolved_toml(study);
   header.seed = study.seed;
   header.trials = study.trials;
@@ -142,7 +129,9 @@ results::Header make_header(const Study& study, const std::vector<Cell>& cells, 
     header.methods.push_back({method.label, short_hash(content), content});
   }
   for (const std::string& label : study.experiment->extra_labels()) {
-    header.methods.push_back({label, short_hash(label), "what does not depend on a solver"});
+    // It may depend on settings that solvers share.
+    const std::string content = method_content(study, {label, label, {}});
+    header.methods.push_back({label, short_hash(content), "what does not depend on a solver"});
   }
   header.figures = study.figures;
   return header;
@@ -150,9 +139,21 @@ results::Header make_header(const Study& study, const std::vector<Cell>& cells, 
 
 }  // namespace
 
-TrialRange Plan::range(std::uint64_t block) const {
-  const std::uint64_t first = block * header.block_trials;
-  return {first, static_cast<std::size_t>(std::min(header.block_trials, header.trials - first))};
+std::vector<std::string> study_content(const Study& study) {
+  std::vector<std::string> content = {
+      fmt::format("experiment = {} version {}", study.experiment->name(), study.experiment->version()),
+      fmt::format("seed = {}", study.seed), fmt::format("block = {}", study.experiment->block_trials()),
+      fmt::format("audit = {}", to_toml(Value(study.audit)))};
+  for (const Setting& setting : study.experiment->settings()) {
+    const auto value = study.fixed.find(setting.name);
+    if (setting.per_method || value == study.fixed.end()) continue;
+    content.push_back(fmt::format("{} = {}", setting.name, to_toml(value->second)));
+  }
+  return content;
+}
+
+std::string method_hash(const Study& study, const Method& method) {
+  return short_hash(method_content(study, method));
 }
 
 Plan make_plan(const Study& study, core::Isa isa) {
@@ -172,7 +173,6 @@ Plan make_plan(const Study& study, core::Isa isa) {
     }
   }
   plan.header = make_header(study, plan.cells, isa);
-  plan.blocks_per_cell = (study.trials + plan.header.block_trials - 1) / plan.header.block_trials;
   return plan;
 }
 

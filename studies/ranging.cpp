@@ -55,7 +55,8 @@ results::Schema make_schema() {
   };
   for (results::MetricInfo& metric : studies::audit_metrics()) schema.metrics.push_back(std::move(metric));
   for (const std::string_view status : core::status_names) {
-    schema.events.push_back({std::string(status), "trials that ended as " + std::string(status)});
+    const bool is_failure = status != core::status_names[static_cast<std::size_t>(core::Status::Converged)];
+    schema.events.push_back({std::string(status), "trials that ended as " + std::string(status), is_failure});
   }
   schema.statuses = schema.events.size();
   // A small |J'We| alone would not tell a solver that has arrived from one that is held back where J'WJ is small; the
@@ -125,6 +126,7 @@ methods = ["ols", "rr", "rrr"]
   }
 
   std::vector<std::string> settings_of_solver(std::string_view solver) const override {
+    if (solver == scene_label) return {"v_mode"};
     std::vector<std::string> names = common_solver_settings();
     const solvers::SolverEntry* entry = solvers::find_solver(solver);
     if (entry != nullptr) names.insert(names.end(), entry->options.begin(), entry->options.end());

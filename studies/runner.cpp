@@ -27,14 +27,38 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+/// Numbers the methods of a block for the experiment: those to compute, then its extra labels, each with its number in
+/// the header or `unwanted`.
+struct BlockMethods {
+  std::vector<Method> methods;
+  std::vector<std::size_t> numbers;
+};
+
+BlockMethods block_methods(const Study& study, const std::vector<std::size_t>& missing) {
+  BlockMethods block;
+  std::vector<std::size_t> extra(study.experiment->extra_labels().size(), results::BlockSink::unwanted);
+  for (const std::size_t number : missing) {
+    if (number >= study.methods.size()) {
+      extra[number - study.methods.size()] = number;
+      continue;
+    }
+    block.methods.push_back(study.methods[number]);
+    block.numbers.push_back(number);
+  }
+  block.numbers.insert(block.numbers.end(), extra.begin(), extra.end());
+  return block;
+}
+
 }  // namespace
 
-RunOutcome run_study(const Study& study, const Plan& plan, const std::filesystem::path& output, int threads,
-                     results::Provenance provenance, RunProgress& progress, const std::atomic<bool>& stop) {
+RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment,
+                     const std::filesystem::path& output, int threads, results::Provenance provenance,
+                     RunProgress& progress, const std::atomic<bool>& stop) {
   results::ResultWriter writer(output, plan.header);
   const Experiment& experiment = *study.experiment;
-  const std::uint64_t tasks_per_cell = (plan.blocks_per_cell + blocks_per_task - 1) / blocks_per_task;
-  const std::uint64_t tasks = tasks_per_cell * plan.cells.size();
+  const std::uint64_t blocks_per_cell = assignment.blocks_per_cell();
+  const std::uint64_t tasks_per_cell = (blocks_per_cell + blocks_per_task - 1) / blocks_per_task;
+  const std::uint64_t tasks = tasks_per_cell * assignment.cells.size();
   std::atomic<std::uint64_t> found{0};
   std::atomic<std::uint64_t> computed{0};
 
@@ -42,17 +66,22 @@ RunOutcome run_study(const Study& study, const Plan& plan, const std::filesystem
   tbb::enumerable_thread_specific<std::unique_ptr<Workspace>> workspaces(
       [&] { return experiment.make_workspace(plan.isa); });
   const auto run_task = [&](std::uint64_t task) {
-    const Cell& cell = plan.cells[task / tasks_per_cell];
+    const std::size_t place = task / tasks_per_cell;
+    const Cell& cell = plan.cells[assignment.cells[place]];
     const std::uint64_t first = task % tasks_per_cell * blocks_per_task;
-    const std::uint64_t end = std::min(first + blocks_per_task, plan.blocks_per_cell);
+    const std::uint64_t end = std::min(first + blocks_per_task, blocks_per_cell);
     std::vector<results::BlockSink> sinks;
     for (std::uint64_t block = first; block < end && !stop.load(std::memory_order_relaxed); ++block) {
-      if (writer.contains(cell.index, block)) {
+      if (!assignment.contains(place, block)) continue;
+      const TrialRange range = assignment.range(block);
+      const auto missing = writer.missing_methods(cell.index, block, range.count, assignment.methods);
+      if (missing.empty()) {
         found.fetch_add(1, std::memory_order_relaxed);
       } else {
-        const TrialRange range = plan.range(block);
-        results::BlockSink& sink = sinks.emplace_back(plan.header, cell.index, block, range.count);
-        experiment.run_block({study.seed, study.audit}, cell, study.methods, range, *workspaces.local(), sink);
+        const BlockMethods of_block = block_methods(study, missing);
+        results::BlockSink& sink =
+            sinks.emplace_back(plan.header, cell.index, block, range.count, of_block.numbers);
+        experiment.run_block({study.seed, study.audit}, cell, of_block.methods, range, *workspaces.local(), sink);
         computed.fetch_add(1, std::memory_order_relaxed);
         progress.trials_done.fetch_add(range.count, std::memory_order_relaxed);
       }
@@ -76,16 +105,18 @@ RunOutcome run_study(const Study& study, const Plan& plan, const std::filesystem
         tbb::simple_partitioner{}, context);
   });
 
-  RunOutcome outcome{false, found.load(), computed.load(), writer.warnings()};
-  if (outcome.blocks_found + outcome.blocks_run < plan.blocks_per_cell * plan.cells.size()) {
+  RunOutcome outcome{false, false, found.load(), computed.load(), writer.warnings()};
+  if (outcome.blocks_found + outcome.blocks_run < assignment.blocks()) {
     writer.flush();
     return outcome;
   }
+  outcome.sealed = true;
+  outcome.unchanged = writer.is_current();
+  if (outcome.unchanged) return outcome;
   provenance.threads = static_cast<unsigned>(threads);
   provenance.wall_time_s.emplace_back("compute", seconds_since(begin));
   results::complete(provenance);
   writer.seal(provenance);
-  outcome.sealed = true;
   return outcome;
 }
 

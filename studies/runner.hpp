@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "results/provenance.hpp"
+#include "studies/assignment.hpp"
 #include "studies/plan.hpp"
 #include "studies/study.hpp"
 
@@ -20,18 +21,21 @@ struct RunProgress {
 
 struct RunOutcome {
   bool sealed = false;             ///< false: stopped before the end, finished blocks kept
-  std::uint64_t blocks_found = 0;  ///< finished by an earlier run that was killed
+  bool unchanged = false;          ///< the result had everything already
+  std::uint64_t blocks_found = 0;  ///< finished by an earlier run
   std::uint64_t blocks_run = 0;
   std::vector<std::string> warnings;  ///< one line per damaged part that was found and is computed again
 };
 
-/// Computes every block of a plan that the result does not have yet, on `threads` threads, and seals the result.
+/// Computes every block of an assignment that the result does not have yet, for the methods that lack it, on `threads`
+/// threads, and seals the result with all that it has.
 ///
 /// Blocks are independent tasks; what a block holds does not depend on the number of threads or on the order. When
-/// `stop` becomes true, running blocks end, are kept, and the result stays unsealed. `provenance` carries what the
+/// `stop` becomes true, running blocks end, are kept, and the result stays as it was. `provenance` carries what the
 /// caller knows about the build; the runner adds threads and wall times.
 /// Throws core::InputError if `output` cannot be used, core::IoError if writing fails; finished parts are kept.
-RunOutcome run_study(const Study& study, const Plan& plan, const std::filesystem::path& output, int threads,
-                     results::Provenance provenance, RunProgress& progress, const std::atomic<bool>& stop);
+RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment,
+                     const std::filesystem::path& output, int threads, results::Provenance provenance,
+                     RunProgress& progress, const std::atomic<bool>& stop);
 
 }  // namespace ridgeloc::studies

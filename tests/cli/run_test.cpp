@@ -46,11 +46,11 @@ TEST_CASE("a result of another study is never overwritten") {
   folder.write("small.toml", small);
   REQUIRE(folder.ridgeloc("run small.toml").exit_code == 0);
   const std::string before = folder.read("small.h5");
-  for (const char* change : {"--trials 60", "--seed 3", "--set noise.range_sigma_m=0.2"}) {
+  for (const char* change : {"--audit 0.5", "--seed 3", "--set noise.range_sigma_m=0.2"}) {
     const Outcome outcome = folder.ridgeloc(std::string("run small.toml ") + change);
     CHECK(outcome.exit_code == 2);
     CHECK(lines(outcome.error) == 1);
-    CHECK(outcome.error.find("small.h5: holds") != std::string::npos);
+    CHECK(outcome.error.find("small.h5: holds another study (") != std::string::npos);
   }
   CHECK(folder.read("small.h5") == before);
 }

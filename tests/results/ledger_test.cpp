@@ -1,12 +1,13 @@
 #include "results/ledger.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 
 #include "catch.hpp"
 #include "core/error.hpp"
-#include "results/block_set.hpp"
+#include "results/coverage.hpp"
 #include "results/sample_study.hpp"
 
 using namespace ridgeloc;
@@ -139,18 +140,28 @@ TEST_CASE("a row that is no aligned run of blocks is refused") {
   CHECK_THROWS_AS(ledger.insert(row), std::invalid_argument);
 }
 
-TEST_CASE("a block set agrees with a plain list of flags") {
+TEST_CASE("a coverage agrees with a plain list of the trials of each block") {
+  constexpr std::uint64_t block_trials = 10;
   std::mt19937 engine(2);
-  for (int repeat = 0; repeat < 20; ++repeat) {
-    BlockSet set;
-    std::vector<bool> flags(80, false);
-    for (int i = 0; i < 15; ++i) {
+  for (int repeat = 0; repeat < 50; ++repeat) {
+    Coverage coverage;
+    std::vector<std::uint64_t> trials(80, 0);
+    for (int i = 0; i < 25; ++i) {
       const std::uint64_t first = engine() % 64;
-      const std::uint64_t count = engine() % 8;
-      set.insert(first, count);
-      std::fill_n(flags.begin() + static_cast<std::ptrdiff_t>(first), count, true);
+      if (engine() % 2 == 0) {
+        const std::uint64_t count = engine() % 8;
+        coverage.insert(first, count, count * block_trials, block_trials);
+        std::fill_n(trials.begin() + static_cast<std::ptrdiff_t>(first), count, block_trials);
+      } else {
+        const std::uint64_t shorter = 1 + engine() % (block_trials - 1);
+        coverage.insert(first, 1, shorter, block_trials);
+        trials[first] = std::max(trials[first], shorter);
+      }
     }
-    for (std::size_t b = 0; b < flags.size(); ++b) REQUIRE(set.contains(b) == flags[b]);
-    REQUIRE(set.size() == static_cast<std::uint64_t>(std::count(flags.begin(), flags.end(), true)));
+    for (std::size_t b = 0; b < trials.size(); ++b) {
+      REQUIRE(coverage.contains(b, trials[b] + 1) == (trials[b] == block_trials));
+      if (trials[b] > 0) REQUIRE(coverage.contains(b, trials[b]));
+    }
+    REQUIRE(coverage.trials(block_trials) == std::accumulate(trials.begin(), trials.end(), std::uint64_t{0}));
   }
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <random>
 #include <string>
@@ -80,7 +81,7 @@ inline Header sample_header() {
                            {"crb_m", "m", "Cramér-Rao bound", false}};
   header.schema.events = {{"not_run", "no solver ran"},
                           {"converged", "the step was short"},
-                          {"diverged", "it was not"},
+                          {"diverged", "it was not", true},
                           {"success", "error below a limit"}};
   header.schema.statuses = 3;
   header.axes = {{"points", "1", "number of points", {std::int64_t{3}, std::int64_t{4}, std::int64_t{7}}},
@@ -105,17 +106,22 @@ inline std::uint64_t sample_trials_of(const Header& header, std::uint64_t block)
   return std::min(header.block_trials, header.trials - block * header.block_trials);
 }
 
-/// The same values for the same cell and block, whenever it is called.
-inline BlockSink sample_block(const Header& header, std::size_t cell, std::uint64_t block) {
-  const std::uint64_t trials = sample_trials_of(header, block);
+/// The same values for the same trial of the same cell, whatever block, study or call it is in.
+inline BlockSink sample_block(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials) {
   BlockSink sink(header, cell, block, trials);
-  std::mt19937_64 engine(1000 * cell + block);
-  const auto uniform = [&engine] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  const std::uint64_t key = std::hash<std::string>()(header.cells[cell].hash);
+  const auto uniforms_of = [&](std::uint64_t method, std::uint64_t t) {
+    const std::uint64_t trial = block * header.block_trials + t;
+    return [engine = std::mt19937_64(key ^ (method << 32) ^ trial)]() mutable {
+      return static_cast<double>(engine() >> 11) * 0x1p-53;
+    };
+  };
   std::vector<double> bound;
   for (std::size_t method = 0; method < 2; ++method) {
     std::vector<std::uint8_t> status, success;
     std::vector<double> error, iterations;
     for (std::uint64_t t = 0; t < trials; ++t) {
+      auto uniform = uniforms_of(method, t);
       const bool converged = uniform() < 0.8;
       status.push_back(converged ? 1 : 2);
       error.push_back(converged ? -std::log(uniform()) : std::numeric_limits<double>::quiet_NaN());
@@ -129,9 +135,13 @@ inline BlockSink sample_block(const Header& header, std::size_t cell, std::uint6
     sink.metric(method, 0, error);
     sink.metric(method, 1, iterations);
   }
-  for (std::uint64_t t = 0; t < trials; ++t) bound.push_back(0.01 + uniform());
+  for (std::uint64_t t = 0; t < trials; ++t) bound.push_back(0.01 + uniforms_of(2, t)());
   sink.metric(2, 2, bound);
   return sink;
+}
+
+inline BlockSink sample_block(const Header& header, std::size_t cell, std::uint64_t block) {
+  return sample_block(header, cell, block, sample_trials_of(header, block));
 }
 
 /// All blocks of the study as (cell, block).

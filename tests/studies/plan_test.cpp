@@ -3,6 +3,7 @@
 #include <set>
 
 #include "catch.hpp"
+#include "studies/assignment.hpp"
 #include "studies/study_reader.hpp"
 
 using namespace ridgeloc;
@@ -40,11 +41,11 @@ TEST_CASE("zipped axes move together and excluded cells are left out") {
 }
 
 TEST_CASE("blocks cover the trials of a cell, the last one in part") {
-  const Plan p = plan("points = [3]");
-  CHECK(p.blocks_per_cell == 3);
-  CHECK(p.range(0).count == 4096);
-  CHECK(p.range(2).first == 8192);
-  CHECK(p.range(2).count == 10000 - 8192);
+  const Assignment all = everything(plan("points = [3]"));
+  CHECK(all.blocks_per_cell() == 3);
+  CHECK(all.range(0).count == 4096);
+  CHECK(all.range(2).first == 8192);
+  CHECK(all.range(2).count == 10000 - 8192);
 }
 
 TEST_CASE("the study hash changes with what changes every number, and with nothing else") {

@@ -8,6 +8,7 @@
 #include "results/block.hpp"
 #include "sim/field_of_view.hpp"
 #include "sim/range_noise.hpp"
+#include "studies/assignment.hpp"
 #include "studies/plan.hpp"
 #include "studies/study_reader.hpp"
 
@@ -19,7 +20,7 @@ namespace {
 /// The rows of the first block of a study's only cell, one per method and one for the scene.
 std::vector<results::Row> first_block(const Study& study, core::Isa isa = core::Isa::Baseline) {
   const Plan plan = make_plan(study, isa);
-  const TrialRange range = plan.range(0);
+  const TrialRange range = everything(plan).range(0);
   results::BlockSink sink(plan.header, 0, 0, range.count);
   const auto workspace = study.experiment->make_workspace(plan.isa);
   study.experiment->run_block(study.seed, plan.cells[0], study.methods, range, *workspace, sink);

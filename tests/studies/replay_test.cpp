@@ -41,7 +41,7 @@ similarity = 0.7
 )";
 
 Study study(const std::string& scene) {
-  return read_study({"replay", "replay.toml", "experiment = \"ranging\"\ntrials = 10000\n" + scene + methods});
+  return read_study({"replay", "replay.toml", "experiment = \"ranging\"\ntrials = 8192\n" + scene + methods});
 }
 
 Replay replay(const Study& s, std::uint64_t trial, core::Isa isa = core::best_isa()) {
@@ -53,7 +53,7 @@ Replay replay(const Study& s, std::uint64_t trial, core::Isa isa = core::best_is
 /// What a whole block reports of its trials, by method.
 std::vector<results::TrialColumns> block(const Study& s, std::uint64_t number, core::Isa isa) {
   const Plan plan = make_plan(s, isa);
-  const TrialRange range = plan.range(number);
+  const TrialRange range{number * plan.header.block_trials, plan.header.block_trials};
   results::BlockSink sink(plan.header, 0, number, range.count);
   const auto workspace = s.experiment->make_workspace(isa);
   s.experiment->run_block(s.seed, plan.cells[0], s.methods, range, *workspace, sink);

@@ -8,6 +8,7 @@
 #include "catch.hpp"
 #include "core/error.hpp"
 #include "results/result_file.hpp"
+#include "results/result_merge.hpp"
 #include "studies/study_reader.hpp"
 
 using namespace ridgeloc;
@@ -51,7 +52,8 @@ similarity = 0.7
 
 RunOutcome run(const Study& s, const fs::path& output, int threads, const std::atomic<bool>& stop = never) {
   RunProgress progress;
-  return run_study(s, make_plan(s), output, threads, {}, progress, stop);
+  const Plan plan = make_plan(s);
+  return run_study(s, plan, everything(plan), output, threads, {}, progress, stop);
 }
 
 }  // namespace
@@ -91,7 +93,7 @@ TEST_CASE("a stopped run is taken up where it stopped, and ends in the same byte
     while (progress.blocks_done.load() < 3 && !done.stop_requested()) std::this_thread::yield();
     stop.store(true);
   });
-  const RunOutcome first = run_study(s, plan, folder / "stopped.h5", 1, {}, progress, stop);
+  const RunOutcome first = run_study(s, plan, everything(plan), folder / "stopped.h5", 1, {}, progress, stop);
   watcher.request_stop();
   watcher.join();
   REQUIRE_FALSE(first.sealed);
@@ -101,8 +103,68 @@ TEST_CASE("a stopped run is taken up where it stopped, and ends in the same byte
   const RunOutcome second = run(s, folder / "stopped.h5", 2);
   CHECK(second.sealed);
   CHECK(second.blocks_found == first.blocks_run);
-  CHECK(second.blocks_found + second.blocks_run == plan.blocks_per_cell * plan.cells.size());
+  CHECK(second.blocks_found + second.blocks_run == everything(plan).blocks());
   CHECK(results::data_digest(folder / "stopped.h5") == results::data_digest(folder / "whole.h5"));
+}
+
+TEST_CASE("a result topped up in any steps, or merged from shares, holds the same bytes") {
+  const Folder folder;
+  run(study(), folder / "whole.h5", 2);
+  const std::string whole = results::data_digest(folder / "whole.h5");
+
+  for (const int steps : {2, 10}) {
+    CAPTURE(steps);
+    fs::remove(folder / "steps.h5");
+    for (int step = 1; step <= steps; ++step)
+      run(study({"trials=" + std::to_string(10000 * step / steps)}), folder / "steps.h5", 1);
+    CHECK(results::data_digest(folder / "steps.h5") == whole);
+  }
+
+  const Study s = study();
+  const Plan plan = make_plan(s);
+  for (const std::uint64_t count : {3, 7}) {
+    CAPTURE(count);
+    std::vector<fs::path> shares;
+    for (std::uint64_t number = count; number >= 1; --number) {
+      shares.push_back(folder / ("share" + std::to_string(number) + ".h5").c_str());
+      fs::remove(shares.back());
+      RunProgress progress;
+      run_study(s, plan, assignment_of(plan, plan, {number, count}), shares.back(), 2, {}, progress, never);
+    }
+    fs::remove(folder / "merged.h5");
+    results::merge_results(shares, folder / "merged.h5", plan.header, {});
+    CHECK(results::data_digest(folder / "merged.h5") == whole);
+  }
+}
+
+TEST_CASE("a wider study computes only what its result lacks, and ends in the same bytes") {
+  const Folder folder;
+  run(study(), folder / "whole.h5", 2);
+  // One method and one value of an axis less.
+  const Study narrow = read_study({"demo", "demo.toml", R"(
+experiment = "ranging"
+trials = 10000
+[store]
+trial_columns_mib = 1.75
+[sweep]
+points = [3, 5]
+range_sigma_m = [0.5]
+[[method]]
+solver = "rrr"
+)"});
+  const Study wide = study();
+  const Plan plan = make_plan(wide);
+  run(narrow, folder / "grown.h5", 2);
+  RunProgress progress;
+  const RunOutcome outcome =
+      run_study(wide, plan, everything(plan), folder / "grown.h5", 2, {}, progress, never);
+  CHECK(outcome.sealed);
+  CHECK(outcome.blocks_run == 12);  // cells that are there lack a method
+  CHECK(results::data_digest(folder / "grown.h5") == results::data_digest(folder / "whole.h5"));
+
+  const RunOutcome again = run(wide, folder / "grown.h5", 2);
+  CHECK(again.unchanged);
+  CHECK(again.blocks_found == 12);
 }
 
 TEST_CASE("totals do not depend on how trials were cut into calls of the experiment") {

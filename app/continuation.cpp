@@ -1,0 +1,85 @@
+#include "app/continuation.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "app/instruction_set.hpp"
+#include "app/output.hpp"
+#include "core/error.hpp"
+#include "results/result_writer.hpp"
+#include "studies/study_reader.hpp"
+#include "studies/union.hpp"
+
+namespace ridgeloc::app {
+
+namespace {
+
+constexpr std::size_t most_differences = 4;
+
+/// What to compute with: what the user asked for, or what the result was begun with.
+core::Isa isa_of(const std::string& asked, const std::vector<results::Header>& headers, const std::string& output) {
+  if (headers.empty()) return instruction_set(asked);
+  const std::string& begun = headers.front().isa;
+  if (!asked.empty() && asked != begun) {
+    throw core::InputError(fmt::format("{}: was computed with the instruction set {}; choose another -o or --isa {}",
+                                       output, begun, begun));
+  }
+  const auto isa = core::find_isa(begun);
+  if (isa && core::is_supported(*isa)) return *isa;
+  throw core::InputError(
+      fmt::format("{}: was begun with the instruction set {}, which this processor lacks; go on where it began, remove "
+                  "it, or choose another -o",
+                  output, begun));
+}
+
+}  // namespace
+
+void require_same_study(const results::Header& found, const std::string& path, const studies::Study& study) {
+  if (found.experiment == study.experiment->name() && found.experiment_version != study.experiment->version()) {
+    throw core::InputError(
+        fmt::format("{}: was computed by version {} of the experiment {}, this program has {}; choose another -o, or go "
+                    "on with the program that began",
+                    path, found.experiment_version, found.experiment, study.experiment->version()));
+  }
+  std::vector<std::string> texts = studies::differences(study_of(found, path), study);
+  if (texts.empty()) return;
+  const std::size_t others = texts.size() - std::min(texts.size(), most_differences);
+  texts.resize(std::min(texts.size(), most_differences));
+  if (others > 0) texts.push_back(fmt::format("{} more", others));
+  throw core::InputError(
+      fmt::format("{}: holds another study ({}); choose another -o or remove it", path, fmt::join(texts, ", ")));
+}
+
+studies::Study study_of(const results::Header& header, const std::string& path) {
+  return studies::read_study({path, path, header.study_toml});
+}
+
+Job continued(studies::Study study, const std::filesystem::path& output, const std::string& isa,
+              const studies::Shard& shard) {
+  const std::string path = output.string();
+  const std::vector<results::Header> headers = results::headers_at(output);
+  Job job;
+  job.output = output;
+  job.study = study;
+  std::set<std::string> seen;
+  const bool has_result = path_exists(output);
+  for (std::size_t i = 0; i < headers.size(); ++i) {
+    if (!seen.insert(headers[i].study_toml).second) continue;
+    require_same_study(headers[i], path, study);
+    studies::Study found = study_of(headers[i], path);
+    // What a stopped run has not reached is nothing to keep.
+    const bool is_part = i > 0 || !has_result;
+    if (is_part) found.trials = std::min(found.trials, study.trials);
+    job.study = studies::united(std::move(job.study), found);
+  }
+  const core::Isa set = isa_of(isa, headers, path);
+  job.plan = studies::make_plan(job.study, set);
+  job.assignment = studies::assignment_of(job.plan, studies::make_plan(study, set), shard);
+  return job;
+}
+
+}  // namespace ridgeloc::app

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/schema.hpp"
+#include "studies/assignment.hpp"
+#include "studies/plan.hpp"
+#include "studies/study.hpp"
+
+namespace ridgeloc::app {
+
+/// Throws core::InputError, which names what differs, unless the blocks of a result with the header `found` belong to the
+/// study.
+void require_same_study(const results::Header& found, const std::string& path, const studies::Study& study);
+
+/// The study that a result says it is. Throws core::InputError if this program cannot read it.
+studies::Study study_of(const results::Header& header, const std::string& path);
+
+/// A study to run, and what it amounts to together with all that its result holds already.
+struct Job {
+  studies::Study study;  ///< as asked for, widened by what the result has besides
+  studies::Plan plan;
+  studies::Assignment assignment;  ///< what was asked for
+  std::filesystem::path output;
+};
+
+/// Plans a run that goes on from whatever is at `output`: a sealed result, parts of a stopped run, both or nothing.
+/// `isa` is what the user asked for; empty: what the result was begun with, or else the widest that there is.
+/// Throws core::InputError if the study cannot go on from there.
+Job continued(studies::Study study, const std::filesystem::path& output, const std::string& isa,
+              const studies::Shard& shard);
+
+}  // namespace ridgeloc::app

@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+
+#include <random>
+
+#include "app/exit_code.hpp"
+#include "app/recomputation.hpp"
+#include "app/verbs.hpp"
+#include "core/error.hpp"
+#include "results/completeness.hpp"
+#include "results/result_file.hpp"
+#include "results/text.hpp"
+#include "studies/verification.hpp"
+
+namespace ridgeloc::app {
+
+namespace {
+
+/// Computes some blocks again; returns whether all are what the result has.
+bool recompute(const VerifyOptions& options, const results::Ledger& ledger) {
+  const Recomputation result = recomputation_of(options.result);
+  const std::uint64_t seed = options.seed.value_or(std::random_device()());
+  const auto blocks = studies::random_blocks(ledger, options.blocks, seed);
+  const auto differences = studies::differing_blocks(result.study, result.plan, ledger, blocks, options.threads);
+  for (const studies::BlockDifference& difference : differences) {
+    fmt::print("different: block {} of cell {} ({}), method {}\n", difference.where.block, difference.where.cell,
+               results::cell_text(result.header, difference.where.cell), result.header.methods[difference.method].label);
+  }
+  fmt::print("blocks       {} of {} computed again with {} and compared bit for bit, all methods: {} (--seed {})\n",
+             blocks.size(), options.blocks, result.header.isa,
+             differences.empty() ? "equal" : fmt::format("{} different", differences.size()), seed);
+  return differences.empty();
+}
+
+}  // namespace
+
+int verify(const VerifyOptions& options) {
+  const std::string digest = results::data_digest(options.result);
+  if (digest != results::sealed_digest(options.result)) {
+    throw core::InputError(
+        fmt::format("{} is damaged: its numbers are not those that were written; compute it again or restore it",
+                    options.result));
+  }
+  if (options.digest) {
+    fmt::print("{}\n", digest);
+    return Success;
+  }
+  const results::Summary summary = results::read_result(options.result);
+  fmt::print("data         {}, as written\n", digest);
+  fmt::print("ledger       {}\n", results::completeness_text(summary));
+  if (options.blocks == 0) return Success;
+  return recompute(options, results::read_result_ledger(options.result)) ? Success : Different;
+}
+
+}  // namespace ridgeloc::app

@@ -1,0 +1,156 @@
+#include <algorithm>
+
+#include "catch.hpp"
+#include "results/result_file.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace ridgeloc;
+using namespace ridgeloc::tests;
+
+namespace {
+
+const std::string small = R"(experiment = "ranging"
+trials = 9000
+[sweep]
+points = [3, 5]
+[[method]]
+solver = "rrr"
+[[method]]
+solver = "ols"
+)";
+
+struct WithStudy : WorkingFolder {
+  WithStudy() { write("s.toml", small); }
+
+  std::string digest(const std::string& file) const { return results::data_digest(path() / file); }
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+bool is_one_line(const std::string& text) {
+  return std::ranges::count(text, '\n') == 1;
+}
+
+}  // namespace
+
+TEST_CASE("raising --trials tops a result up; lowering it keeps the surplus and says so") {
+  const WithStudy folder;
+  REQUIRE(folder.ridgeloc("run s.toml -o whole.h5").exit_code == 0);
+  REQUIRE(folder.ridgeloc("run s.toml --trials 100").exit_code == 0);
+  const Outcome raised = folder.ridgeloc("run s.toml");
+  CHECK(raised.exit_code == 0);
+  CHECK(folder.digest("s.h5") == folder.digest("whole.h5"));
+  const Outcome lowered = folder.ridgeloc("run s.toml --trials 100");
+  CHECK(lowered.exit_code == 0);
+  CHECK(contains(lowered.error, "asked for 9000 trials per cell before; all stay"));
+  CHECK(contains(lowered.error, "complete already"));
+  CHECK(folder.digest("s.h5") == folder.digest("whole.h5"));
+}
+
+TEST_CASE("a narrower study adds to a result what it lacks and loses nothing of it") {
+  const WithStudy folder;
+  REQUIRE(folder.ridgeloc("run s.toml").exit_code == 0);
+  const std::string lm = "--set sweep.points=[4,5] --set method.1.solver=lm";
+  const Outcome other = folder.ridgeloc("run s.toml " + lm);
+  CHECK(other.exit_code == 0);
+  CHECK(contains(other.error, "has 1 cell and 1 method besides those asked for; they stay"));
+  const Outcome verified = folder.ridgeloc("verify s.h5 --blocks 100");
+  CHECK(verified.exit_code == 0);
+  CHECK(contains(verified.out, "incomplete: 2 of 12 pairs"));  // lm with 3 points, ols with 4
+  // The whole of both studies has what is missing.
+  folder.write("all.toml", results::read_result_header(folder.path() / "s.h5").study_toml);
+  CHECK(folder.ridgeloc("run all.toml -o s.h5").exit_code == 0);
+  CHECK(folder.ridgeloc("run all.toml -o fresh.h5").exit_code == 0);
+  CHECK(folder.digest("s.h5") == folder.digest("fresh.h5"));
+}
+
+TEST_CASE("a method whose settings have changed needs another name") {
+  const WithStudy folder;
+  REQUIRE(folder.ridgeloc("run s.toml").exit_code == 0);
+  const Outcome outcome = folder.ridgeloc("run s.toml --set method.0.k=hk");
+  CHECK(outcome.exit_code == 2);
+  CHECK(is_one_line(outcome.error));
+  CHECK(contains(outcome.error, "method \"rrr\" has other settings"));
+  CHECK(folder.ridgeloc("run s.toml --set method.0.k=hk --set method.0.name=hk").exit_code == 0);
+}
+
+TEST_CASE("shares are merged to the whole; parts of it are results too") {
+  const WithStudy folder;
+  REQUIRE(folder.ridgeloc("run s.toml").exit_code == 0);
+  for (const char* share : {"1/3", "2/3", "3/3"})
+    REQUIRE(folder.ridgeloc(std::string("run s.toml --shard ") + share).exit_code == 0);
+  const Outcome merged =
+      folder.ridgeloc("merge s.shard-2-of-3.h5 s.shard-3-of-3.h5 s.shard-1-of-3.h5 s.shard-2-of-3.h5 -o all.h5");
+  CHECK(merged.exit_code == 0);
+  CHECK(merged.out == "all.h5\n");
+  CHECK(contains(merged.error, "complete: 6 pairs"));
+  CHECK(folder.digest("all.h5") == folder.digest("s.h5"));
+  CHECK(contains(folder.ridgeloc("summary s.shard-1-of-3.h5").out, "incomplete: "));
+  // Going on from a share computes the others.
+  REQUIRE(folder.ridgeloc("run s.toml -o s.shard-1-of-3.h5").exit_code == 0);
+  CHECK(folder.digest("s.shard-1-of-3.h5") == folder.digest("s.h5"));
+}
+
+TEST_CASE("merge refuses other studies, other instruction sets and a file that is there") {
+  const WithStudy folder;
+  REQUIRE(folder.ridgeloc("run s.toml -o a.h5 --trials 100 --isa baseline").exit_code == 0);
+  REQUIRE(folder.ridgeloc("run s.toml -o b.h5 --trials 100 --isa baseline --seed 9 --set scene.depth_m=[1,2]").exit_code == 0);
+  const auto refused = [&](const std::string& arguments, const std::string& message) {
+    const Outcome outcome = folder.ridgeloc("merge " + arguments);
+    INFO(outcome.error);
+    CHECK(outcome.exit_code == 2);
+    CHECK(is_one_line(outcome.error));
+    CHECK(contains(outcome.error, message));
+  };
+  refused("a.h5 b.h5 -o c.h5", "seed is ");
+  refused("a.h5 b.h5 -o c.h5", "depth_m is ");
+  refused("a.h5 -o a.h5", "a.h5 exists");
+  refused("a.h5 s.toml -o c.h5", "s.toml is not an HDF5 file");
+  refused("a.h5 -o nowhere/c.h5", "nowhere");
+  refused("a.h5", "-o");
+  CHECK_FALSE(folder.has("c.h5"));
+}
+
+TEST_CASE("a time limit and SIGUSR1 stop a run and keep what is finished") {
+  const WithStudy folder;
+  const Outcome limited = folder.ridgeloc("run s.toml --trials 1e10 --time-limit 1s");
+  CHECK(limited.exit_code == 4);
+  CHECK(contains(limited.error, "The same command goes on from there"));
+  CHECK(folder.has("s.h5.parts"));
+  // Fewer trials are enough after all; what is there beyond them stays.
+  CHECK(folder.ridgeloc("run s.toml --trials 5000").exit_code == 0);
+  CHECK(contains(folder.ridgeloc("verify s.h5").out, "complete: 6 pairs of cell and method with 5000 trials each"));
+  const Outcome signalled = folder.shell("timeout -s USR1 -k 20 1 '" RIDGELOC_PROGRAM "' run s.toml --trials 1e10");
+  CHECK(signalled.exit_code == 124);  // timeout's own
+  CHECK(contains(signalled.error, "stopped;"));
+  for (const char* bad : {"0", "soon", "1x", "-5", "1:2:3:4"}) {
+    const Outcome outcome = folder.ridgeloc(std::string("run s.toml -o x.h5 --time-limit=") + bad);
+    CHECK(outcome.exit_code == 2);
+    CHECK(is_one_line(outcome.error));
+  }
+  for (const char* bad : {"0/3", "4/3", "1", "1/", "/2", "a/b", "1/2/3"}) {
+    const Outcome outcome = folder.ridgeloc(std::string("run s.toml -o x.h5 --shard ") + bad);
+    CHECK(outcome.exit_code == 2);
+    CHECK(contains(outcome.error, "i/N"));
+  }
+  CHECK_FALSE(folder.has("x.h5"));
+}
+
+TEST_CASE("verify recomputes blocks, tells a result of other numbers, and prints the digest") {
+  const WithStudy folder;
+  REQUIRE(folder.ridgeloc("run s.toml").exit_code == 0);
+  const Outcome good = folder.ridgeloc("verify s.h5 --blocks 4 --seed 1");
+  CHECK(good.exit_code == 0);
+  CHECK(contains(good.out, "complete: 6 pairs of cell and method with 9000 trials each"));
+  CHECK(contains(good.out, "4 of 4 computed again"));
+  CHECK(folder.ridgeloc("verify s.h5 --digest").out == folder.digest("s.h5") + "\n");
+
+  const Outcome listed = folder.ridgeloc("export s.h5 --failures");
+  CHECK(listed.exit_code == 0);
+  CHECK(listed.out.starts_with("points,trial,method,reason\n"));
+  CHECK(folder.ridgeloc("export s.h5 --failures --trials").exit_code == 2);
+  CHECK(folder.ridgeloc("verify s.toml").exit_code == 2);
+  CHECK(folder.ridgeloc("verify missing.h5").exit_code == 2);
+}

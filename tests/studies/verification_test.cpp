@@ -1,0 +1,65 @@
+#include "studies/verification.hpp"
+
+#include "catch.hpp"
+#include "results/block.hpp"
+#include "studies/assignment.hpp"
+#include "studies/study_reader.hpp"
+
+using namespace ridgeloc;
+using namespace ridgeloc::studies;
+
+namespace {
+
+struct Computed {
+  Study study = read_study({"s", "s.toml", R"(
+experiment = "ranging"
+trials = 9000
+[sweep]
+points = [3, 5]
+[[method]]
+solver = "ols"
+[[method]]
+solver = "rrr"
+)"});
+  Plan plan = make_plan(study);
+
+  std::vector<results::Row> rows_of(const BlockNumber& where) const {
+    const TrialRange range = everything(plan).range(where.block);
+    results::BlockSink sink(plan.header, where.cell, where.block, range.count);
+    const auto workspace = study.experiment->make_workspace(plan.isa);
+    study.experiment->run_block({study.seed, study.audit}, plan.cells[where.cell], study.methods, range, *workspace,
+                                sink);
+    return sink.take_rows();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("blocks that are what the ledger says are found equal, and a wrong digest is found") {
+  const Computed computed;
+  results::Ledger ledger(computed.plan.header.block_trials);
+  const std::vector<BlockNumber> blocks = {{0, 0}, {0, 2}, {1, 1}};
+  for (const BlockNumber& where : blocks) {
+    for (results::Row& row : computed.rows_of(where)) {
+      if (where == BlockNumber{0, 2} && row.method == 1) ++row.digests[0];
+      ledger.insert(std::move(row));
+    }
+  }
+  for (const int threads : {1, 2}) {
+    const auto differences = differing_blocks(computed.study, computed.plan, ledger, blocks, threads);
+    REQUIRE(differences.size() == 1);
+    CHECK(differences[0].where == BlockNumber{0, 2});
+    CHECK(differences[0].method == 1);
+  }
+}
+
+TEST_CASE("random blocks are different blocks of the ledger, and those of their seed") {
+  const Computed computed;
+  results::Ledger ledger(computed.plan.header.block_trials);
+  for (const BlockNumber& where : {BlockNumber{0, 0}, BlockNumber{0, 1}, BlockNumber{1, 2}})
+    for (results::Row& row : computed.rows_of(where)) ledger.insert(std::move(row));
+  CHECK(random_blocks(ledger, 2, 5) == random_blocks(ledger, 2, 5));
+  CHECK(random_blocks(ledger, 2, 5).size() == 2);
+  CHECK(random_blocks(ledger, 50, 1) == std::vector<BlockNumber>{{0, 0}, {0, 1}, {1, 2}});
+  CHECK(random_blocks(results::Ledger(16), 3, 1).empty());
+}
