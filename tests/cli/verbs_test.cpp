@@ -175,8 +175,9 @@ TEST_CASE("help and version are on standard output") {
 
 TEST_CASE("a full disk under standard output is an I/O failure for every verb") {
   const WithResult folder;
-  for (const char* verb : {"export result.h5", "export result.h5 --trials", "summary result.h5", "audit result.h5",
-                           "list", "plan fig3a", "plot result.h5", "run study.toml -o again.h5", "new ranging"}) {
+  for (const char* verb :
+       {"export result.h5", "replay result.h5 --cell 0 --trial 1", "export result.h5 --trials", "summary result.h5",
+        "audit result.h5", "list", "plan fig3a", "plot result.h5", "run study.toml -o again.h5", "new ranging"}) {
     INFO(verb);
     const auto outcome = folder.shell(std::string("'" RIDGELOC_PROGRAM "' ") + verb + " 2>messages > /dev/full");
     CHECK(outcome.exit_code == 3);
