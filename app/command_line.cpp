@@ -170,6 +170,28 @@ class CommandLine {
         ->type_name("N");
     add_threads(audit_verb, audit_.threads);
 
+    CLI::App& replay_verb = verb("replay", "one trial of a result or a study again, iteration by iteration",
+                                 [this] { return replay(replay_); });
+    replay_verb.add_option("SOURCE", replay_.source, "result file, study file, or name from the catalog")->required();
+    replay_verb
+        .add_option("--cell", replay_.cell, "values of the sweep, or the number of a cell (default: the only one)")
+        ->type_name("AXIS=VALUE,...");
+    replay_verb.add_option("--trial", replay_.trial, "number of the trial, beyond the last one too")
+        ->required()
+        ->check(CLI::Range(std::uint64_t{0}, studies::max_trials - 1))
+        ->type_name("N");
+    const auto add_names = [&](const char* option, std::vector<std::string>& names, const char* description) {
+      replay_verb.add_option(option, names, description)
+          ->type_name("NAME")
+          ->expected(1)
+          ->take_all()
+          ->allow_extra_args(false);
+    };
+    add_names("--method", replay_.methods, "method of the study; may be repeated (default: all)");
+    add_names("--solver", replay_.solvers, "solver beside the methods, with the study's [solver]; may be repeated");
+    replay_verb.add_flag("--json", replay_.json, "print JSON instead of tables");
+    replay_verb.add_option("-o", replay_.output, "picture to draw: .svg, .pdf or .png")->type_name("FILE");
+
     CLI::App& export_verb = verb("export", "write a result as CSV", [this] { return export_result(export_); });
     export_verb.add_option("RESULT", export_.result, "result file")->required();
     export_verb.add_flag("--csv", export_.csv, "comma-separated values (the default)");
@@ -245,6 +267,7 @@ class CommandLine {
   VerifyOptions verify_;
   SummaryOptions summary_;
   AuditOptions audit_;
+  ReplayOptions replay_;
   ExportOptions export_;
   PlotOptions plot_;
   ReportOptions report_;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -68,7 +69,11 @@ void print_surplus(const Job& job) {
     fmt::print(stderr, "{}: was asked for {} trials per cell before; all stay\n", job.output.string(), header.trials);
   }
   const std::uint64_t cells = header.cells.size() - job.assignment.cells.size();
-  const std::uint64_t methods = header.methods.size() - job.assignment.methods.size();
+  std::uint64_t methods = 0;
+  for (std::size_t m = 0; m < header.methods.size(); ++m) {
+    const bool is_asked = std::ranges::binary_search(job.assignment.methods, m);
+    if (!is_asked && !header.methods[m].difference) ++methods;
+  }
   if (cells + methods > 0) {
     fmt::print(stderr, "{}: has {} and {} besides those asked for; they stay\n", job.output.string(),
                count_text(cells, "cell"), count_text(methods, "method"));

@@ -68,6 +68,17 @@ struct AuditOptions {
 };
 int audit(const AuditOptions& options);
 
+struct ReplayOptions {
+  std::string source;  ///< a result, or a study
+  std::string cell;    ///< its number, or AXIS=VALUE,...; empty: the only one
+  std::uint64_t trial = 0;
+  std::vector<std::string> methods;  ///< labels; empty: all
+  std::vector<std::string> solvers;  ///< beside them
+  bool json = false;                 ///< instead of tables
+  std::string output;                ///< a picture; empty: none
+};
+int replay(const ReplayOptions& options);
+
 struct ExportOptions {
   std::string result;
   std::string output;  ///< empty: standard output

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -23,8 +22,20 @@ std::size_t TrialColumns::bytes() const {
   return bytes;
 }
 
+BlockMethods all_methods(const Header& header) {
+  BlockMethods all;
+  for (std::size_t m = 0; m < header.methods.size(); ++m) {
+    if (const auto& pair = header.methods[m].difference) {
+      all.differences.push_back({m, (*pair)[0], (*pair)[1]});
+    } else {
+      all.numbers.push_back(m);
+    }
+  }
+  return all;
+}
+
 BlockSink::BlockSink(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials,
-                     std::vector<std::size_t> methods)
+                     BlockMethods methods)
     : cell_(cell),
       block_(block),
       trials_(trials),
@@ -32,30 +43,33 @@ BlockSink::BlockSink(const Header& header, std::size_t cell, std::uint64_t block
       events_(header.schema.events.size()),
       statuses_(header.schema.statuses),
       keeps_columns_(block < header.trial_column_blocks),
-      methods_(methods.size()) {
+      methods_(methods.numbers.size()),
+      differences_(std::move(methods.differences)) {
   if (cell >= header.cells.size() || trials == 0 || trials > header.block_trials)
     throw std::invalid_argument(fmt::format("cell {} with {} trials is not a block of the study", cell, trials));
-  for (std::size_t m = 0; m < methods.size(); ++m) {
+  const std::size_t metrics = header.schema.metrics.size();
+  for (std::size_t m = 0; m < methods_.size(); ++m) {
     PerMethod& method = methods_[m];
-    method.number = methods[m];
+    method.number = methods.numbers[m];
     method.statistics.trials = trials;
-    method.statistics.metrics.resize(header.schema.metrics.size());
-    method.columns.metrics.resize(header.schema.metrics.size());
+    method.statistics.metrics.resize(metrics);
+    method.columns.metrics.resize(metrics);
+  }
+  for (const BlockMethods::Difference& difference : differences_) {
+    for (const std::size_t operand : {difference.minuend, difference.subtrahend}) {
+      methods_.at(operand).is_compared = true;
+      methods_.at(operand).compared.resize(metrics);
+    }
   }
   // The order of `failure_reasons`.
   std::size_t reasons = 0;
   for (std::size_t s = 0; s < statuses_; ++s)
     status_reason_.push_back(header.schema.events[s].is_failure ? reasons++ : no_reason);
-  for (const MetricInfo& metric : header.schema.metrics)
+  for (const MetricInfo& metric : header.schema.metrics) {
     metric_reason_.push_back(metric.alarm.empty() ? no_reason : reasons++);
+    is_compared_.push_back(metric.is_compared ? 1 : 0);
+  }
 }
-
-BlockSink::BlockSink(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials)
-    : BlockSink(header, cell, block, trials, [&header] {
-        std::vector<std::size_t> all(header.methods.size());
-        std::iota(all.begin(), all.end(), std::size_t{0});
-        return all;
-      }()) {}
 
 BlockSink::PerMethod& BlockSink::begin_column(std::size_t method, std::uint64_t kind, std::size_t index,
                                               std::span<const std::byte> bytes, std::size_t values) {
@@ -86,7 +100,7 @@ void BlockSink::status(std::size_t method, std::span<const std::uint8_t> codes) 
 }
 
 void BlockSink::note_failures(const PerMethod& method, std::span<const std::uint8_t> codes) {
-  if (method.number == unwanted) return;
+  if (method.number == BlockMethods::unwanted) return;
   for (std::size_t status = 0; status < statuses_; ++status) {
     const std::uint64_t count = method.statistics.events[status];
     if (status_reason_[status] == no_reason || count == 0) continue;
@@ -102,7 +116,7 @@ template <class SlotOf>
 void BlockSink::note_alarms(const PerMethod& method, std::size_t metric, std::span<const double> values,
                             SlotOf&& slot_of) {
   const std::size_t reason = metric_reason_[metric];
-  if (method.number == unwanted || reason == no_reason) return;
+  if (method.number == BlockMethods::unwanted || reason == no_reason) return;
   std::vector<std::uint64_t> trials;
   for (std::size_t i = 0; i < values.size() && trials.size() < FailureList::limit; ++i)
     if (values[i] == 1.0) trials.push_back(first_trial_ + slot_of(i));
@@ -121,6 +135,7 @@ void BlockSink::metric(std::size_t method, std::size_t metric, std::span<const d
   PerMethod& target = begin_column(method, kind_metric, metric, std::as_bytes(values), values.size());
   target.statistics.metrics.at(metric) = statistics_of(values);
   note_alarms(target, metric, values, std::identity());
+  if (target.is_compared && is_compared_[metric] != 0) target.compared[metric].assign(values.begin(), values.end());
   target.has_columns = true;
   if (keeps_columns_) target.columns.metrics[metric].assign(values.begin(), values.end());
 }
@@ -145,12 +160,34 @@ void BlockSink::sparse_metric(std::size_t method, std::size_t metric, std::span<
   for (std::size_t i = 0; i < trials.size(); ++i) column[trials[i]] = values[i];
 }
 
+Row BlockSink::difference_row(const BlockMethods::Difference& difference) const {
+  const PerMethod& a = methods_[difference.minuend];
+  const PerMethod& b = methods_[difference.subtrahend];
+  Row row{cell_, difference.number, block_, 1, {}, {}};
+  row.statistics.trials = trials_;
+  row.statistics.metrics.resize(is_compared_.size());
+  Digest64 digest;
+  std::vector<double> values(trials_);
+  for (std::size_t m = 0; m < is_compared_.size(); ++m) {
+    if (a.compared[m].empty() || b.compared[m].empty()) continue;
+    // Where either is not in the population it is NaN, and so is the difference.
+    for (std::size_t t = 0; t < values.size(); ++t) values[t] = a.compared[m][t] - b.compared[m][t];
+    digest.update(kind_metric);
+    digest.update(m);
+    digest.update(std::as_bytes(std::span(values)));
+    row.statistics.metrics[m] = statistics_of(values);
+  }
+  row.digests.push_back(digest.value());
+  return row;
+}
+
 std::vector<Row> BlockSink::take_rows() {
   std::vector<Row> rows;
   for (PerMethod& method : methods_) {
-    if (method.number == unwanted) continue;
+    if (method.number == BlockMethods::unwanted) continue;
     rows.push_back({cell_, method.number, block_, 1, std::move(method.statistics), {method.digest.value()}});
   }
+  for (const BlockMethods::Difference& difference : differences_) rows.push_back(difference_row(difference));
   return rows;
 }
 
@@ -158,7 +195,7 @@ std::vector<TrialColumns> BlockSink::take_columns() {
   std::vector<TrialColumns> kept;
   if (!keeps_columns_) return kept;
   for (PerMethod& method : methods_) {
-    if (!method.has_columns || method.number == unwanted) continue;
+    if (!method.has_columns || method.number == BlockMethods::unwanted) continue;
     TrialColumns columns = std::move(method.columns);
     columns.cell = cell_;
     columns.method = method.number;

@@ -25,6 +25,25 @@ struct TrialColumns {
   friend bool operator==(const TrialColumns&, const TrialColumns&) = default;
 };
 
+/// Which methods of a block are wanted, as the experiment that computes it numbers them.
+struct BlockMethods {
+  /// Stands for a method whose columns are wanted for differences at most.
+  static constexpr std::size_t unwanted = static_cast<std::size_t>(-1);
+
+  /// The difference of two methods.
+  struct Difference {
+    std::size_t number;  ///< in the header
+    std::size_t minuend;
+    std::size_t subtrahend;
+  };
+
+  std::vector<std::size_t> numbers;  ///< in the header, or `unwanted`
+  std::vector<Difference> differences;
+};
+
+/// All methods of a study, its solvers and extra labels first and in their order.
+BlockMethods all_methods(const Header& header);
+
 /// Takes the columns of one block of one cell from an experiment and reduces each at once.
 ///
 /// Methods are numbered as the experiment that fills the sink numbers them, which need not be all that the study has.
@@ -34,15 +53,12 @@ struct TrialColumns {
 /// std::invalid_argument. One thread at a time per object.
 class BlockSink {
  public:
-  /// Stands for a method whose columns are not wanted.
-  static constexpr std::size_t unwanted = static_cast<std::size_t>(-1);
-
-  /// `methods`: for each method that will give columns, its number in the header, or `unwanted`. Precondition: cell and
-  /// trials are in range, and so are methods, events and metrics in the calls below.
-  BlockSink(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials,
-            std::vector<std::size_t> methods);
+  /// `methods`: those that will give columns. Precondition: cell and trials are in range, and so are methods, events and
+  /// metrics in the calls below.
+  BlockSink(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials, BlockMethods methods);
   /// For all methods of the header.
-  BlockSink(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials);
+  BlockSink(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials)
+      : BlockSink(header, cell, block, trials, all_methods(header)) {}
 
   /// Status codes; counted as the status events that open the schema.
   void status(std::size_t method, std::span<const std::uint8_t> codes);
@@ -73,11 +89,14 @@ class BlockSink {
     Digest64 digest;
     TrialColumns columns;
     bool has_columns = false;
+    bool is_compared = false;
+    std::vector<std::vector<double>> compared;  ///< per metric; empty: not given, or not compared
   };
 
   PerMethod& begin_column(std::size_t method, std::uint64_t kind, std::size_t index, std::span<const std::byte> bytes,
                           std::size_t values);
   std::vector<std::uint64_t>& events_of(PerMethod& method) const;
+  Row difference_row(const BlockMethods::Difference& difference) const;
   void note_failures(const PerMethod& method, std::span<const std::uint8_t> codes);
   template <class SlotOf>
   void note_alarms(const PerMethod& method, std::size_t metric, std::span<const double> values, SlotOf&& slot_of);
@@ -93,7 +112,9 @@ class BlockSink {
   std::vector<std::size_t> status_reason_;  ///< per status; `no_reason`: no failure
   std::vector<std::size_t> metric_reason_;  ///< per metric, likewise
   bool keeps_columns_;
+  std::vector<std::uint8_t> is_compared_;  ///< per metric
   std::vector<PerMethod> methods_;
+  std::vector<BlockMethods::Difference> differences_;
   FailureList failures_;
 };
 

@@ -125,6 +125,13 @@ void write_schema(hdf5::File& file, const Header& header) {
   write_column(file, "/methods/label", header.methods, &MethodInfo::label);
   write_column(file, "/methods/hash", header.methods, &MethodInfo::hash);
   write_column(file, "/methods/description", header.methods, &MethodInfo::description);
+  // For each method the two that it is the difference of; its own number twice where it is none.
+  std::vector<std::uint64_t> differences;
+  for (std::size_t m = 0; m < header.methods.size(); ++m) {
+    const auto pair = header.methods[m].difference.value_or(std::array<std::size_t, 2>{m, m});
+    differences.insert(differences.end(), pair.begin(), pair.end());
+  }
+  file.write("/methods/difference", differences, {header.methods.size(), 2});
   file.create_group("/metrics");
   write_column(file, "/metrics/name", header.schema.metrics, &MetricInfo::name);
   write_column(file, "/metrics/unit", header.schema.metrics, &MetricInfo::unit);
@@ -148,6 +155,16 @@ void read_schema(const hdf5::File& file, Header& header) {
   read_column(file, "/methods/label", header.methods, &MethodInfo::label);
   read_column(file, "/methods/hash", header.methods, &MethodInfo::hash);
   read_column(file, "/methods/description", header.methods, &MethodInfo::description);
+  if (file.contains("/methods/difference")) {  // since version 1.2
+    const auto numbers = file.read<std::uint64_t>("/methods/difference");
+    require(numbers.size() == 2 * header.methods.size(), file, "the datasets of /methods differ in length");
+    for (std::size_t m = 0; m < header.methods.size(); ++m) {
+      const std::array<std::size_t, 2> pair = {numbers[2 * m], numbers[2 * m + 1]};
+      require(pair[0] < header.methods.size() && pair[1] < header.methods.size(), file,
+              "/methods/difference names an unknown method");
+      if (pair[0] != m || pair[1] != m) header.methods[m].difference = pair;
+    }
+  }
   read_column(file, "/metrics/name", header.schema.metrics, &MetricInfo::name);
   read_column(file, "/metrics/unit", header.schema.metrics, &MetricInfo::unit);
   read_column(file, "/metrics/description", header.schema.metrics, &MetricInfo::description);

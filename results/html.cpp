@@ -73,7 +73,7 @@ void HtmlTable::add(const std::vector<HtmlCell>& cells) {
     const bool head = columns_[i].kind == Kind::Head;
     const HtmlCell& cell = cells[i];
     body_ += head ? "<th scope=\"row\"" : "<td";
-    if (columns_[i].kind == Kind::Number) body_ += " class=\"number\"";
+    if (columns_[i].kind == Kind::Number) body_ += " class=\"n\"";
     if (!cell.sort_key.empty()) body_ += fmt::format(" data-key=\"{}\"", html_text(cell.sort_key));
     body_ += fmt::format(">{}</{}>", cell.html, head ? "th" : "td");
   }
@@ -83,7 +83,7 @@ void HtmlTable::add(const std::vector<HtmlCell>& cells) {
 std::string HtmlTable::html() const {
   std::string head;
   for (const Column& column : columns_) {
-    head += fmt::format("<th scope=\"col\"{}>{}</th>", column.kind == Kind::Number ? " class=\"number\"" : "",
+    head += fmt::format("<th scope=\"col\"{}>{}</th>", column.kind == Kind::Number ? " class=\"n\"" : "",
                         html_text(column.name));
   }
   const std::string cut = rows_ <= most_rows ? ""

@@ -88,7 +88,8 @@ std::string precision(const ReportSource& source) {
     const SummaryRow* worst = nullptr;
     double largest = 0.0;
     for (const SummaryRow& row : source.rows) {
-      if (row.metric != measure.name || row.n == 0) continue;
+      // Of a difference the error relative to itself says nothing.
+      if (row.metric != measure.name || row.n == 0 || header.methods[row.method].difference) continue;
       const double error = error_of(row, measure);
       if (!std::isfinite(error)) continue;
       errors.push_back(error);

@@ -158,7 +158,9 @@ std::vector<std::size_t> ResultWriter::missing_methods(std::size_t cell, std::ui
   const std::lock_guard lock(state_mutex_);
   for (const std::size_t method : methods) {
     const Present& there = present_.at(cell * header_.methods.size() + method);
-    if (!there.blocks.contains(block, trials) || (keeps_columns && !there.columns.contains(block, trials)))
+    const bool has_columns = !header_.methods[method].difference;
+    if (!there.blocks.contains(block, trials) ||
+        (keeps_columns && has_columns && !there.columns.contains(block, trials)))
       missing.push_back(method);
   }
   return missing;

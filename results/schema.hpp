@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -29,6 +32,8 @@ struct MethodInfo {
   std::string label;
   std::string hash;         ///< identity: hash of its settings
   std::string description;  ///< the settings as text
+  /// Not a solver but the difference of two methods on the same trials, the first minus the second, by their numbers.
+  std::optional<std::array<std::size_t, 2>> difference = {};
 };
 
 /// A real-valued quantity measured per trial and method.
@@ -45,6 +50,7 @@ struct MetricInfo {
   /// Not empty: a 1 of this yes-or-no metric means that something is wrong. Footnotes of figures say how often, after
   /// this text.
   std::string alarm = {};
+  bool is_compared = false;  ///< differences of methods are taken of it, trial by trial
 };
 
 /// A yes-or-no outcome per trial and method; its rate is reported.
@@ -67,7 +73,7 @@ struct FigureSpec {
   std::string title;
   std::string x;                     ///< a sweep axis
   std::vector<std::string> y;        ///< metrics or events
-  std::string statistic;             ///< "mean" or "median"; empty: the metric's leading one
+  std::string statistic;             ///< "mean", "median" or "rms"; empty: the metric's leading one
   std::vector<std::string> group;    ///< axes or "method": one line per combination
   std::string facet;                 ///< axis or "method": one panel per value; empty: one panel
   std::vector<std::string> methods;  ///< restricts to these labels; empty: all that have the metric

@@ -30,6 +30,10 @@ struct SummaryRow {
   double p50_lo = 0.0;  ///< 95 % interval of the median, from order statistics
   double p50_hi = 0.0;
   double max = 0.0;
+  double rms = 0.0;  ///< root mean square: of errors the RMSE
+  double rms_mcse = 0.0;
+  double rms_lo = 0.0, rms_hi = 0.0;  ///< its 95 % interval
+  double p95_lo = 0.0, p95_hi = 0.0;  ///< 95 % interval of p95, from order statistics
   bool trusted = false;  ///< whether the bar itself is reliable
 };
 

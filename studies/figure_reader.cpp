@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "studies/comparison.hpp"
 #include "studies/sections.hpp"
 #include "studies/toml_document.hpp"
 
@@ -20,6 +21,7 @@ results::FigureSpec read_figure(const toml::table& table, const Study& study, st
   for (const auto& event : study.experiment->schema().events) quantities.push_back(event.name);
   std::vector<std::string> labels = study.experiment->extra_labels();
   for (const Method& method : study.methods) labels.push_back(method.label);
+  for (const Comparison& comparison : study.comparisons) labels.push_back(label_of(comparison));
 
   const auto required = [&](const char* key, const char* what) -> const toml::node& {
     const toml::node* node = table.get(key);
@@ -49,7 +51,7 @@ results::FigureSpec read_figure(const toml::table& table, const Study& study, st
   figure.y = read_texts(required("y", "a metric, or a list of them"), "figure.y", quantities);
   if (const toml::node* node = table.get("title")) figure.title = read_text(*node, "figure.title");
   if (const toml::node* node = table.get("statistic")) {
-    figure.statistic = read_text(*node, "figure.statistic", {"mean", "median"});
+    figure.statistic = read_text(*node, "figure.statistic", {"mean", "median", "rms"});
   }
   if (const toml::node* node = table.get("group")) figure.group = read_texts(*node, "figure.group", groups);
   if (const toml::node* node = table.get("facet")) figure.facet = read_text(*node, "figure.facet", groups);

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "results/digest.hpp"
+#include "studies/comparison.hpp"
 #include "studies/study_writer.hpp"
 
 namespace ridgeloc::studies {
@@ -133,6 +134,15 @@ results::Header make_header(const Study& study, const std::vector<Cell>& cells, 
     // It may depend on settings that solvers share.
     const std::string content = method_content(study, {label, label, {}});
     header.methods.push_back({label, short_hash(content), "what does not depend on a solver"});
+  }
+  for (const Comparison& comparison : study.comparisons) {
+    std::array<std::size_t, 2> pair{};
+    for (std::size_t i = 0; i < pair.size(); ++i)
+      pair[i] = static_cast<std::size_t>(
+          std::ranges::find(study.methods, comparison[i], &Method::label) - study.methods.begin());
+    const std::string content = fmt::format("{} - {}", header.methods[pair[0]].hash, header.methods[pair[1]].hash);
+    header.methods.push_back({label_of(comparison), short_hash(content),
+                              fmt::format("{} minus {}, trial by trial", comparison[0], comparison[1]), pair});
   }
   header.figures = study.figures;
   return header;

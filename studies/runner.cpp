@@ -9,7 +9,9 @@
 #include <tbb/task_group.h>
 
 #include <chrono>
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "results/block.hpp"
@@ -27,26 +29,39 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Numbers the methods of a block for the experiment: those to compute, then its extra labels, each with its number in
-/// the header or `unwanted`.
-struct BlockMethods {
+/// What to compute of a block: the solvers, and what the sink is to make of their columns.
+struct BlockWork {
   std::vector<Method> methods;
-  std::vector<std::size_t> numbers;
+  results::BlockMethods wanted;
 };
 
-BlockMethods block_methods(const Study& study, const std::vector<std::size_t>& missing) {
-  BlockMethods block;
-  std::vector<std::size_t> extra(study.experiment->extra_labels().size(), results::BlockSink::unwanted);
-  for (const std::size_t number : missing) {
-    if (number >= study.methods.size()) {
-      extra[number - study.methods.size()] = number;
-      continue;
+/// The work for the methods of the header that are missing. A difference needs both its methods, wanted or not.
+BlockWork block_work(const Study& study, const results::Header& header, const std::vector<std::size_t>& missing) {
+  constexpr std::size_t unwanted = results::BlockMethods::unwanted;
+  BlockWork work;
+  std::map<std::size_t, std::size_t> places;  // of solvers: number in the header -> place in the block
+  const auto place_of = [&](std::size_t number) {
+    const auto [place, is_new] = places.emplace(number, work.methods.size());
+    if (is_new) {
+      work.methods.push_back(study.methods[number]);
+      work.wanted.numbers.push_back(unwanted);
     }
-    block.methods.push_back(study.methods[number]);
-    block.numbers.push_back(number);
+    return place->second;
+  };
+  const std::size_t extras = study.experiment->extra_labels().size();
+  std::vector<std::size_t> extra(extras, unwanted);
+  for (const std::size_t number : missing) {
+    if (const auto& pair = header.methods[number].difference) {
+      const std::size_t minuend = place_of((*pair)[0]);
+      work.wanted.differences.push_back({number, minuend, place_of((*pair)[1])});
+    } else if (number < study.methods.size()) {
+      work.wanted.numbers[place_of(number)] = number;
+    } else {
+      extra[number - study.methods.size()] = number;
+    }
   }
-  block.numbers.insert(block.numbers.end(), extra.begin(), extra.end());
-  return block;
+  work.wanted.numbers.insert(work.wanted.numbers.end(), extra.begin(), extra.end());
+  return work;
 }
 
 }  // namespace
@@ -78,10 +93,10 @@ RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& ass
       if (missing.empty()) {
         found.fetch_add(1, std::memory_order_relaxed);
       } else {
-        const BlockMethods of_block = block_methods(study, missing);
+        BlockWork work = block_work(study, plan.header, missing);
         results::BlockSink& sink =
-            sinks.emplace_back(plan.header, cell.index, block, range.count, of_block.numbers);
-        experiment.run_block({study.seed, study.audit}, cell, of_block.methods, range, *workspaces.local(), sink);
+            sinks.emplace_back(plan.header, cell.index, block, range.count, std::move(work.wanted));
+        experiment.run_block({study.seed, study.audit}, cell, work.methods, range, *workspaces.local(), sink);
         computed.fetch_add(1, std::memory_order_relaxed);
         progress.trials_done.fetch_add(range.count, std::memory_order_relaxed);
       }

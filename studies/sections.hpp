@@ -19,7 +19,10 @@ void read_sweep(const toml::table& document, Study& study);
 /// [[method]]. Needs the sweep: a setting that is swept cannot be given to a method too.
 void read_methods(const toml::table& document, const std::string& origin, Study& study);
 
-/// [[figure]]. Needs sweep and methods.
+/// [[compare]], or each method against the first. Needs the methods.
+void read_comparisons(const toml::table& document, Study& study);
+
+/// [[figure]]. Needs sweep, methods and comparisons.
 void read_figures(const toml::table& document, Study& study);
 
 }  // namespace ridgeloc::studies

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ struct SweepAxis {
   std::vector<Value> values;
 };
 
+/// Two methods, by label, that are compared trial by trial: the first minus the second.
+using Comparison = std::array<std::string, 2>;
+
 /// A study, read and validated: nothing in it is missing, unknown or out of range.
 struct Study {
   std::string name;  ///< of the file without extension, or of the catalog entry
@@ -31,6 +35,7 @@ struct Study {
   std::vector<std::vector<std::string>> zip;  ///< axes that move together instead of being crossed
   std::vector<Values> exclude;                ///< cells with all of these values are left out
   std::vector<Method> methods;
+  std::vector<Comparison> comparisons;
   std::vector<results::FigureSpec> figures;
 };
 

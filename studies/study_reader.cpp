@@ -135,8 +135,8 @@ Study read_study(const StudySource& source, std::span<const std::string> overrid
   study.name = source.name;
   study.experiment = &read_experiment(document, source.origin);
 
-  std::vector<std::string> allowed = {"title", "aims",  "experiment", "seed",   "trials",
-                                      "audit", "store", "sweep",      "method", "figure"};
+  std::vector<std::string> allowed = {"title", "aims",  "experiment", "seed",    "trials", "audit",
+                                      "store", "sweep", "method",     "compare", "figure"};
   const auto sections = section_names(*study.experiment);
   allowed.insert(allowed.end(), sections.begin(), sections.end());
   check_keys(document, "the study", allowed);
@@ -166,6 +166,7 @@ Study read_study(const StudySource& source, std::span<const std::string> overrid
   read_sections(document, study);
   check_conditions(document, source.origin, study);
   read_methods(document, source.origin, study);
+  read_comparisons(document, study);
   read_figures(document, study);
   return study;
 }

@@ -81,6 +81,7 @@ std::string resolved_toml(const Study& study) {
   out +=
       fmt::format("experiment = {}\nseed = {}\ntrials = {}\naudit = {}\n",
                   quoted(std::string(study.experiment->name())), study.seed, study.trials, to_toml(Value(study.audit)));
+  if (study.comparisons.empty()) out += "compare = []\n";
   out += fmt::format("\n[store]\ntrial_columns_mib = {}\n", to_toml(Value(study.trial_columns_mib)));
   for_each_setting(*study.experiment, out, [&](const Setting& setting) {
     const auto found = study.fixed.find(setting.name);
@@ -91,6 +92,8 @@ std::string resolved_toml(const Study& study) {
     out += fmt::format("\n[[method]]\nname = {}\nsolver = {}\n", quoted(method.label), quoted(method.solver));
     for (const auto& [name, value] : method.given) out += fmt::format("{} = {}\n", name, to_toml(value));
   }
+  for (const Comparison& comparison : study.comparisons)
+    out += fmt::format("\n[[compare]]\nmethod = {}\nwith = {}\n", quoted(comparison[0]), quoted(comparison[1]));
   for (const results::FigureSpec& figure : study.figures) write_figure(figure, out);
   return out;
 }
@@ -120,7 +123,8 @@ std::string template_toml(const Experiment& experiment) {
       "# { from = 0.1, to = 0.5, step = 0.1 }. zip = [[\"a\", \"b\"]] moves axes together, exclude = [{ a = 1, b = 2 "
       "}]\n"
       "# leaves cells out. Methods are compared on the same trials; each may set any key of [solver] that its solver\n"
-      "# reads for itself, and is called after its solver unless it has a name. Figures: ridgeloc plot FILE.h5\n";
+      "# reads for itself, and is called after its solver unless it has a name. Differences to the first method are taken\n"
+      "# trial by trial; [[compare]] method = \"a\" with = \"b\" chooses other pairs. Figures: ridgeloc plot FILE.h5\n";
   out += experiment.example();
   return out;
 }

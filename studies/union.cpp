@@ -155,6 +155,18 @@ void unite_methods(Study& study, const Study& other) {
   }
 }
 
+/// Comparisons name methods by label, and the other study may have other labels for the same methods.
+void unite_comparisons(Study& study, const Study& other) {
+  const auto label_here = [&](const std::string& label) {
+    const std::string hash = method_hash(other, *std::ranges::find(other.methods, label, &Method::label));
+    return std::ranges::find(study.methods, hash, [&](const Method& m) { return method_hash(study, m); })->label;
+  };
+  for (const Comparison& comparison : other.comparisons) {
+    const Comparison here = {label_here(comparison[0]), label_here(comparison[1])};
+    if (std::ranges::find(study.comparisons, here) == study.comparisons.end()) study.comparisons.push_back(here);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> differences(const Study& found, const Study& wanted) {
@@ -175,6 +187,7 @@ std::vector<std::string> differences(const Study& found, const Study& wanted) {
 Study united(Study study, const Study& other) {
   unite_sweeps(study, other);
   unite_methods(study, other);
+  unite_comparisons(study, other);
   study.trials = std::max(study.trials, other.trials);
   study.trial_columns_mib = std::max(study.trial_columns_mib, other.trial_columns_mib);
   return study;

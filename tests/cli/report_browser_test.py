@@ -37,10 +37,10 @@ y = "converged"
 group = ["range_sigma_m", "method"]
 """
 
-# The column of a table as numbers, from top to bottom.
-COLUMN = """Array.from(document.querySelectorAll("#r1-measure2 tbody tr"),
-                       (row) => Number(row.cells[2].dataset.key))"""
-SHOWN = """Array.from(document.querySelectorAll("#r1-measure2 tbody tr")).filter((row) => !row.hidden).length"""
+# A table: the column of its first method as numbers, from top to bottom, and how many rows it shows.
+TABLE = """document.querySelector("#r1-measure2 table")"""
+COLUMN = f"""Array.from({TABLE}.tBodies[0].rows, (row) => Number(row.cells[2].dataset.key))"""
+SHOWN = f"""Array.from({TABLE}.tBodies[0].rows).filter((row) => !row.hidden).length"""
 TAB, ENTER, SPACE = ("Tab", 9), ("Enter", 13, "\r"), (" ", 32, " ")
 
 
@@ -71,7 +71,7 @@ def check_sorting(browser):
     """Sorts a table by its third column with Enter and back with the space bar."""
     before = browser.value(COLUMN)
     check(before != sorted(before), "the table is sorted before anyone has asked for it")
-    browser.value("""document.querySelectorAll("#r1-measure2 th button")[1].focus()""")
+    browser.value(f"""{TABLE}.querySelectorAll("th button")[1].focus()""")
     browser.press(*TAB)
     focused = browser.value("document.activeElement.textContent")
     check(focused == "rrr", f"Tab goes to {focused!r}")

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <array>
+#include <limits>
+
 #include "catch.hpp"
 #include "results/sample_study.hpp"
 
@@ -102,4 +105,28 @@ TEST_CASE("misuse of a block is refused") {
   CHECK_THROWS_AS(sink.event(0, 4, flags), std::invalid_argument);
   CHECK_THROWS_AS(BlockSink(test::sample_header(), 5, 0, 4), std::invalid_argument);
   CHECK_THROWS_AS(BlockSink(test::sample_header(), 0, 0, test::sample_block_trials + 1), std::invalid_argument);
+}
+
+TEST_CASE("a difference of two methods is taken trial by trial, over the trials that both have") {
+  Header header = test::sample_header();
+  header.schema.metrics[0].is_compared = true;
+  header.methods.push_back({"rrr - ols", "d", "", std::array<std::size_t, 2>{1, 0}});
+  BlockSink sink(header, 0, 0, 4, {{0, BlockMethods::unwanted}, {{3, 1, 0}}});
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  sink.metric(0, 0, std::vector<double>{1.0, 2.0, nan, 4.0});
+  sink.metric(1, 0, std::vector<double>{1.5, nan, 3.0, infinity});
+  sink.metric(0, 1, std::vector<double>{1.0, 1.0, 1.0, 1.0});
+  sink.metric(1, 1, std::vector<double>{2.0, 2.0, 2.0, 2.0});
+  const std::vector<Row> rows = sink.take_rows();
+  REQUIRE(rows.size() == 2);  // nothing of the unwanted method
+  CHECK(rows[0].method == 0);
+  CHECK(rows[1].method == 3);
+  CHECK(rows[1].statistics.trials == 4);
+  CHECK(rows[1].statistics.events.empty());
+  const MetricStatistics& error = rows[1].statistics.metrics[0];
+  CHECK(error.moments.n == 1);
+  CHECK(error.moments.mean == 0.5);
+  CHECK(error.beyond == 1);
+  CHECK(rows[1].statistics.metrics[1].moments.n == 0);  // is not compared
 }

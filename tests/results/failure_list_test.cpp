@@ -49,7 +49,7 @@ TEST_CASE("a block lists its failed trials and alarms by their number in the cel
   Header header = test::sample_header();
   header.schema.metrics[0].alarm = "checked";
   header.schema.metrics[1].alarm = "checked too";
-  BlockSink sink(header, 2, 3, 5, {1, BlockSink::unwanted});
+  BlockSink sink(header, 2, 3, 5, {{1, BlockMethods::unwanted}, {}});
   const std::vector<std::uint8_t> status = {2, 1, 1, 2, 0};
   for (const std::size_t method : {0, 1}) {
     sink.status(method, status);

@@ -1,6 +1,7 @@
 #include "results/report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -112,11 +113,10 @@ TEST_CASE("a report says what was studied, where the numbers come from and how t
   test::write_sample(path, header);
   const std::string html = report_html({read_report_source(path)});
 
-  for (const char* text :
-       {"<title>Sample: µ and σ</title>", "Is µ &lt; σ?", "18446744073709551615", "Philox4x32-10",
-        "5 of the 6 combinations", "0.1, 0.3333333333333333", "robust ridge, &quot;k&quot; = 0.5", "Cramér-Rao bound",
-        "86 trials per cell", "complete: 15 pairs of cell and method with 86 trials each", "seed = 7", "Eigen 3.4.0",
-        "run: 1.5 s", "rate of failures"}) {
+  for (const char* text : {"<title>Sample: µ and σ</title>", "Is µ &lt; σ?", "18446744073709551615", "Philox4x32-10",
+                           "5 of the 6 combinations", "0.1, 0.3333333333333333", "robust ridge, &quot;k&quot; = 0.5",
+                           "Cramér-Rao bound", "86 trials per cell", "complete: 5 cells with 86 trials each",
+                           "seed = 7", "Eigen 3.4.0", "run: 1.5 s", "rate of failures"}) {
     INFO(text);
     CHECK(contains(html, text));
   }
@@ -157,15 +157,14 @@ TEST_CASE("failures are counted per cell and method, those that never happened t
   const std::string html = report_html({synthetic_source()});
   // Over four cells: trials, converged, iteration limit, failed, rate.
   CHECK(contains(html,
-                 "<th scope=\"row\">rr</th><td class=\"number\">20</td><td class=\"number\">16</td>"
-                 "<td class=\"number\">4</td><td class=\"number\">4</td>"));
+                 "<th scope=\"row\">rr</th><td class=\"n\">20</td><td class=\"n\">16</td>"
+                 "<td class=\"n\">4</td><td class=\"n\">4</td>"));
   CHECK(contains(html,
                  "<th scope=\"row\">5</th><th scope=\"row\">0.5</th><th scope=\"row\">rrr</th>"
-                 "<td class=\"number\">5</td><td class=\"number\">4</td><td class=\"number\">1</td>"));
+                 "<td class=\"n\">5</td><td class=\"n\">4</td><td class=\"n\">1</td>"));
   ReportSource source = synthetic_source();
   for (Statistics& statistics : source.summary.statistics) statistics.events = {5, 0, 5};
-  CHECK(contains(report_html({source}),
-                 "<td class=\"number\">0</td><td class=\"number\" data-key=\"0\">0 [≤ 0.15]</td>"));
+  CHECK(contains(report_html({source}), "<td class=\"n\">0</td><td class=\"n\" data-key=\"0\">0 [≤ 0.15]</td>"));
 }
 
 TEST_CASE("checks are counted with the bound that they give, and an alarm is a warning") {
@@ -178,8 +177,7 @@ TEST_CASE("checks are counted with the bound that they give, and an alarm is a w
   std::string html = report_html({source});
   CHECK(contains(html, "<li>Audited: 40 checks, disagreements 0"));
   CHECK(contains(html, "ref_disagrees, audited, by method"));
-  CHECK(contains(
-      html, "<td class=\"number\">20</td><td class=\"number\">0</td><td class=\"number\" data-key=\"0\">0 [≤ 0.15]"));
+  CHECK(contains(html, "<td class=\"n\">20</td><td class=\"n\">0</td><td class=\"n\" data-key=\"0\">0 [≤ 0.15]"));
 
   source.summary.statistics[3].metrics.back() = statistics_of(std::vector{0.0, 1.0, 0.0, 0.0, 0.0});
   source.failures.insert({1, 1, 1}, std::vector<std::uint64_t>{1});
@@ -198,7 +196,7 @@ TEST_CASE("a report of an incomplete result says so and has the rest") {
   source.summary.statistics[0] = nothing;
   source.rows = summary_rows(source.summary);
   const std::string html = report_html({source});
-  CHECK(contains(html, "<li class=\"warn\"><strong>Note:</strong> The result is incomplete: 2 of 8 pairs"));
+  CHECK(contains(html, "<li class=\"warn\"><strong>Note:</strong> The result is incomplete: 2 of 4 cells"));
   CHECK(unbalanced_tag(html).empty());
 }
 
@@ -256,6 +254,27 @@ TEST_CASE("hostile text from a file stays text") {
   CHECK(count(html, "alert(1)") > 20);
   CHECK(unbalanced_tag(html) == "");
   CHECK(html.find('\x01') == std::string::npos);
+}
+
+TEST_CASE("differences of methods stand in tables of their own, by their mean, and are no solvers") {
+  ReportSource source = synthetic_source();
+  Header& header = source.summary.header;
+  header.methods.push_back({"rrr - rr", "h3", "difference", std::array<std::size_t, 2>{1, 0}});
+  std::vector<Statistics> statistics;
+  for (std::size_t i = 0; i < source.summary.statistics.size(); ++i) {
+    statistics.push_back(source.summary.statistics[i]);
+    if (i % 2 == 0) continue;
+    Statistics difference;
+    difference.trials = 5;
+    difference.metrics = {statistics_of(std::vector{-1.0, 1.0, 2.0, 3.0, 4.0}), statistics_of(std::vector<double>{})};
+    statistics.push_back(difference);
+  }
+  source.summary.statistics = statistics;
+  source.rows = summary_rows(source.summary);
+  const std::string html = report_html({source});
+  CHECK(contains(html, "error_m [m], paired differences: mean ± Monte Carlo standard error"));
+  CHECK(contains(html, "4 cells, 2 methods"));
+  CHECK(count(html, "<th scope=\"row\">rrr - rr</th>") == 1 + 4);  // among the methods, and in the table of all
 }
 
 TEST_CASE("a figure that cannot be made of the result is replaced by the reason") {

@@ -21,7 +21,9 @@ namespace {
 std::vector<results::Row> first_block(const Study& study, core::Isa isa = core::Isa::Baseline) {
   const Plan plan = make_plan(study, isa);
   const TrialRange range = everything(plan).range(0);
-  results::BlockSink sink(plan.header, 0, 0, range.count);
+  results::BlockMethods methods = results::all_methods(plan.header);
+  methods.differences.clear();
+  results::BlockSink sink(plan.header, 0, 0, range.count, std::move(methods));
   const auto workspace = study.experiment->make_workspace(plan.isa);
   study.experiment->run_block(study.seed, plan.cells[0], study.methods, range, *workspace, sink);
   return sink.take_rows();

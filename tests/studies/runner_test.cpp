@@ -159,7 +159,7 @@ solver = "rrr"
   const RunOutcome outcome =
       run_study(wide, plan, everything(plan), folder / "grown.h5", 2, {}, progress, never);
   CHECK(outcome.sealed);
-  CHECK(outcome.blocks_run == 12);  // cells that are there lack a method
+  CHECK(outcome.blocks_run == 12);  // cells that are there lack a method and its difference to the first
   CHECK(results::data_digest(folder / "grown.h5") == results::data_digest(folder / "whole.h5"));
 
   const RunOutcome again = run(wide, folder / "grown.h5", 2);
@@ -200,4 +200,29 @@ TEST_CASE("an output that cannot be written is refused before anything is comput
   const Folder folder;
   CHECK_THROWS_AS(run(study(), folder / "missing/out.h5", 1), core::InputError);
   CHECK_FALSE(fs::exists(folder / "missing"));
+}
+
+TEST_CASE("the difference of two methods is that of their means where all trials count, and varies less") {
+  const Folder folder;
+  run(study({"trials=3000"}), folder / "out.h5", 2);
+  const results::Summary summary = results::read_result(folder / "out.h5");
+  REQUIRE(summary.header.methods.size() == 4);
+  REQUIRE(summary.header.methods[3].label == "rr - rrr");
+  REQUIRE(summary.header.methods[3].difference == std::array<std::size_t, 2>{1, 0});
+  const auto iterations = [&](std::size_t cell, std::size_t method) {
+    return summary.of(cell, method).metrics[2].moments;
+  };
+  for (std::size_t cell = 0; cell < 4; ++cell) {
+    CHECK(iterations(cell, 3).n == 3000);
+    CHECK(iterations(cell, 3).mean == Approx(iterations(cell, 1).mean - iterations(cell, 0).mean).margin(1e-12));
+  }
+}
+
+TEST_CASE("a comparison that is asked for later computes its methods again, and changes nothing else") {
+  const Folder folder;
+  run(study(), folder / "whole.h5", 2);
+  run(study({"compare=[]"}), folder / "grown.h5", 2);
+  CHECK(results::read_result_header(folder / "grown.h5").methods.size() == 3);
+  CHECK(run(study(), folder / "grown.h5", 2).blocks_run == 12);
+  CHECK(results::data_digest(folder / "grown.h5") == results::data_digest(folder / "whole.h5"));
 }

@@ -293,6 +293,28 @@ TEST_CASE("a bad override is named as it was given") {
   CHECK(error_of(valid, {"trials.x=1"}).starts_with("--set trials.x=1: "));
 }
 
+TEST_CASE("methods are compared with the first one, or as [[compare]] says") {
+  const std::string methods =
+      "experiment = \"ranging\"\n[[method]]\nsolver = \"ols\"\n[[method]]\nsolver = \"rr\"\n[[method]]\nsolver = \"rrr\"\n";
+  const auto comparisons = [&](const std::string& text) { return read_study({"s", "s.toml", methods + text}).comparisons; };
+  CHECK(comparisons("") == std::vector<Comparison>{{"rr", "ols"}, {"rrr", "ols"}});
+  CHECK(comparisons("[[compare]]\nmethod = \"rrr\"\nwith = \"rr\"\n") == std::vector<Comparison>{{"rrr", "rr"}});
+  const Study none = read_study({"s", "s.toml", methods}, std::vector<std::string>{"compare=[]"});
+  CHECK(none.comparisons.empty());
+  CHECK(read_study({"s", "s.toml", resolved_toml(none)}).comparisons.empty());
+  const auto refused = [&](const std::string& text) {
+    try {
+      comparisons("[[compare]]\n" + text);
+    } catch (const core::InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(refused("method = \"rrr\"\n") == "s.toml:8: [[compare]] lacks with = \"...\", the name of a [[method]]");
+  CHECK(refused("method = \"rrr\"\nwith = \"rrr\"\n") == "s.toml:8: [[compare]] compares \"rrr\" with itself");
+  CHECK(refused("method = \"rrr\"\nwith = \"r\"\n").find("s.toml:10") == 0);
+}
+
 TEST_CASE("a study that is not there names the nearest one in the catalog") {
   try {
     find_study("fig3");

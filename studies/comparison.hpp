@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "studies/study.hpp"
+
+namespace ridgeloc::studies {
+
+/// How results call a comparison: "rrr - rr".
+inline std::string label_of(const Comparison& comparison) {
+  return comparison[0] + " - " + comparison[1];
+}
+
+}  // namespace ridgeloc::studies
