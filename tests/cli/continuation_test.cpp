@@ -154,3 +154,19 @@ TEST_CASE("verify recomputes blocks, tells a result of other numbers, and prints
   CHECK(folder.ridgeloc("verify s.toml").exit_code == 2);
   CHECK(folder.ridgeloc("verify missing.h5").exit_code == 2);
 }
+
+TEST_CASE("compare says whether two results of one study agree") {
+  const WithStudy folder;
+  for (const char* run : {"-o a.h5", "-o b.h5 --seed 7", "-o c.h5 --set scene.depth_m=[1,2]", "-o d.h5 --threads 1"})
+    REQUIRE(folder.ridgeloc(std::string("run s.toml ") + run).exit_code == 0);
+  const Outcome other_seed = folder.ridgeloc("compare a.h5 b.h5");
+  CHECK(other_seed.exit_code == 0);
+  CHECK(contains(other_seed.out, "agree: "));
+  const Outcome same = folder.ridgeloc("compare a.h5 d.h5");
+  CHECK(same.exit_code == 0);
+  CHECK(contains(same.out, "equal: both hold the same numbers, bit for bit"));
+  const Outcome other = folder.ridgeloc("compare a.h5 c.h5");
+  CHECK(other.exit_code == 2);
+  CHECK(is_one_line(other.error));
+  CHECK(contains(other.error, "depth_m is [1.0, 10.0], not [1.0, 2.0]"));
+}
