@@ -53,7 +53,7 @@ std::optional<NumberPair> compared(const SummaryRow& a, const SummaryRow& b, boo
   } else {
     return std::nullopt;
   }
-  if (std::isnan(pair.standard_errors)) return std::nullopt;
+  if (!std::isfinite(pair.standard_errors)) return std::nullopt;
   return pair;
 }
 

@@ -28,7 +28,7 @@ Summary sample(unsigned seed, double mean, double rate, std::size_t trials = 400
   statistics.events = {0};
   for (std::size_t t = 0; t < trials; ++t) {
     light.push_back(normal(engine));
-    heavy.push_back(std::exp(3.0 * normal(engine)));
+    heavy.push_back(std::exp(normal(engine)));
     statistics.events[0] += event(engine) ? 1 : 0;
   }
   statistics.metrics = {statistics_of(light), statistics_of(heavy)};
