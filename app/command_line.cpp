@@ -114,7 +114,7 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", "ridgeloc " + build_provenance().program_version);
     app_.footer(
-        "Exit codes: 0 done, 1 verify found a difference, 2 bad input, 3 reading or writing failed, 4 stopped by a signal "
+        "Exit codes: 0 done, 1 verify or compare found a difference, 2 bad input, 3 reading or writing failed, 4 stopped by a signal "
         "or a time limit (finished work kept).");
 
     CLI::App& list_verb =
@@ -147,6 +147,11 @@ class CommandLine {
     merge_verb.add_option("-o", merge_.output, "result file to write")->required()->type_name("FILE");
     merge_verb.add_flag("--mix-isa", merge_.mix_isa,
                         "let results of different instruction sets stand side by side, which ends exact reproducibility");
+
+    CLI::App& compare_verb = verb("compare", "compare two results of one study, from other machines, versions or seeds",
+                                  [this] { return compare(compare_); });
+    compare_verb.add_option("A", compare_.first, "result file")->required();
+    compare_verb.add_option("B", compare_.second, "result file")->required();
 
     CLI::App& verify_verb = verb("verify", "check a result, and compute some of its blocks again",
                                  [this] { return verify(verify_); });
@@ -264,6 +269,7 @@ class CommandLine {
   StudyOptions plan_;
   RunOptions run_;
   MergeOptions merge_;
+  CompareOptions compare_;
   VerifyOptions verify_;
   SummaryOptions summary_;
   AuditOptions audit_;

@@ -47,6 +47,12 @@ struct MergeOptions {
 };
 int merge(const MergeOptions& options);
 
+struct CompareOptions {
+  std::string first;
+  std::string second;
+};
+int compare(const CompareOptions& options);
+
 struct VerifyOptions {
   std::string result;
   std::uint64_t blocks = 8;           ///< to compute again

@@ -29,7 +29,12 @@ Completeness completeness_of(const Summary& summary) {
 std::string completeness_text(const Summary& summary) {
   const Completeness completeness = completeness_of(summary);
   const std::string cells = fmt::format("{} cell{}", completeness.cells, completeness.cells == 1 ? "" : "s");
-  if (completeness.incomplete == 0) return fmt::format("complete: {} with {} trials each", cells, summary.header.trials);
+  if (completeness.incomplete == 0) {
+    std::uint64_t most = summary.header.trials;
+    for (const Statistics& statistics : summary.statistics) most = std::max(most, statistics.trials);
+    const std::string more = most > summary.header.trials ? fmt::format(" to {}", most) : "";
+    return fmt::format("complete: {} with {}{} trials each", cells, summary.header.trials, more);
+  }
   return fmt::format("incomplete: {} of {} lack some of {} trials; {:.3g} % of all trials are there",
                      completeness.incomplete, cells, summary.header.trials, 100.0 * completeness.share);
 }

@@ -88,8 +88,7 @@ std::string report_overview(const ReportSource& source, const ReportPlace&) {
   html += "<dl>\n";
   html += entry("Result", source.path);
   html += entry("Experiment", fmt::format("{}, version {}", header.experiment, header.experiment_version));
-  html += entry("Size",
-                fmt::format("{} cells, {} methods, {} trials per cell", header.cells.size(), solvers, header.trials));
+  html += entry("Size", fmt::format("{} cells, {} methods", header.cells.size(), solvers));
   html += entry("Seed", fmt::format("{}", header.seed));
   html += entry("Computed", fmt::format("{}, ridgeloc {}", origin.date, origin.program_version));
   html += "</dl>\n<ul class=\"flags\">\n";

@@ -62,6 +62,15 @@ std::string measures(const Header& header) {
   return table.html();
 }
 
+std::string trials_asked(const Summary& summary) {
+  const std::uint64_t asked = summary.header.trials;
+  const bool more = std::ranges::any_of(summary.statistics, [&](const Statistics& s) { return s.trials > asked; });
+  return paragraph(
+      fmt::format("{} trials per cell were asked for{}. The result is {}.", asked,
+                  more ? "; where there are more, a stop rule wanted them, or they had been computed before" : "",
+                  completeness_text(summary)));
+}
+
 /// The Monte Carlo error of a row's leading number, relative to it; of a rate as it is. NaN where it is not known.
 double error_of(const SummaryRow& row, const Measure& measure) {
   switch (measure.lead) {
@@ -127,8 +136,7 @@ std::string report_study(const ReportSource& source, const ReportPlace& place) {
           methods(header);
   html += heading("measures", "Estimands and measures") + measures(header);
   html += heading("trials", "Number of trials, and what it buys");
-  html += paragraph(fmt::format("{} trials per cell were asked for. The result is {}.", header.trials,
-                                completeness_text(source.summary)));
+  html += trials_asked(source.summary);
   html += paragraph(
       "Whether they are enough shows in the errors: the Monte Carlo standard error of the number that leads "
       "for each measure, the median and the largest one over all cells and methods. That of a median is the width of "

@@ -162,4 +162,18 @@ std::vector<SummaryRow> summary_rows(const Summary& summary) {
   return rows;
 }
 
+SummaryRow summary_row(const Header& header, std::size_t method, const Statistics& statistics, std::string_view name) {
+  const Schema& schema = header.schema;
+  for (std::size_t i = 0; i < schema.metrics.size(); ++i) {
+    if (schema.metrics[i].name != name) continue;
+    return metric_row(0, method, schema.metrics[i],
+                      i < statistics.metrics.size() ? statistics.metrics[i] : MetricStatistics());
+  }
+  const auto event = std::ranges::find(schema.events, name, &EventInfo::name);
+  const auto index = static_cast<std::size_t>(event - schema.events.begin());
+  if (index < statistics.events.size())
+    return event_row(0, method, *event, statistics.events[index], statistics.trials);
+  return blank_row(0, method, event->name, "1");
+}
+
 }  // namespace ridgeloc::results

@@ -77,7 +77,7 @@ TEST_CASE("plan says what a study amounts to, and writes nothing") {
   REQUIRE(outcome.exit_code == 0);
   CHECK(contains(outcome.out, "cells    15\n"));
   CHECK(contains(outcome.out, "trials   15000000 (1000000 per cell)"));
-  CHECK(contains(outcome.out, "blocks   3675 (245 per cell of 4096 trials)"));
+  CHECK(contains(outcome.out, "blocks   3675 of 4096 trials"));
   CHECK(contains(outcome.out, "on 2 threads"));
   CHECK(folder.entries().empty());
 }

@@ -256,6 +256,13 @@ TEST_CASE("hostile text from a file stays text") {
   CHECK(html.find('\x01') == std::string::npos);
 }
 
+TEST_CASE("cells with more trials than were asked for are no contradiction") {
+  ReportSource source = synthetic_source();
+  source.summary.header.trials = 3;
+  CHECK(contains(report_html({source}),
+                 "3 trials per cell were asked for; where there are more, a stop rule wanted them, or"));
+}
+
 TEST_CASE("differences of methods stand in tables of their own, by their mean, and are no solvers") {
   ReportSource source = synthetic_source();
   Header& header = source.summary.header;
