@@ -201,6 +201,7 @@ class CommandLine {
     export_verb.add_option("RESULT", export_.result, "result file")->required();
     export_verb.add_flag("--csv", export_.csv, "comma-separated values (the default)");
     export_verb.add_flag("--trials", export_.trials, "a row per kept trial instead");
+    export_verb.add_flag("--study", export_.study, "the complete study instead, as a file to run");
     export_verb.add_flag("--failures", export_.failures, "a row per failed trial that is listed instead");
     export_verb.add_option("-o", export_.output, "file to write")->type_name("FILE");
 

@@ -91,6 +91,7 @@ struct ExportOptions {
   bool csv = true;
   bool trials = false;    ///< rows per trial instead of per metric
   bool failures = false;  ///< rows per failed trial that is listed
+  bool study = false;     ///< the study file that the result holds
 };
 int export_result(const ExportOptions& options);
 

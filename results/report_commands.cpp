@@ -75,10 +75,7 @@ std::string report_commands(const ReportSource& source, const ReportPlace& place
       "<p>The study is part of the result (and of this page, under <a href=\"#{}\">What was studied</a>). To "
       "take it out and run it:</p>\n",
       place.id("study"));
-  html += html_command(
-      fmt::format("python3 -c 'import h5py, sys; print(h5py.File(sys.argv[1])[\"provenance\"].attrs[\"study\"], "
-                  "end=\"\")' {} > {}",
-                  result, study));
+  html += html_command(fmt::format("ridgeloc export {} --study -o {}", result, study));
   html += html_command(fmt::format("ridgeloc run {}{} -o {}", study,
                                    header.isa == mixed_isa ? "" : " --isa " + shell_word(header.isa), again));
   html += fmt::format("<p>A complete result has the same digest as this one, if this one is complete too: {}</p>\n",
