@@ -59,8 +59,9 @@ void require_writable(const fs::path& file) {
         fmt::format("cannot write {}: {} is not a folder; choose another -o", file.string(), folder.string()));
 
   // Only an attempt tells the truth about permissions, read-only mounts and quotas.
-  std::string probe = (folder / fmt::format(".{}.XXXXXX", file.filename().string())).string();
-  const int descriptor = ::mkstemp(probe.data());
+  // Its name is that of a temporary: what a killed program leaves of it is removed like one.
+  std::string probe = fmt::format("{}.XXXXXX{}", file.string(), temporary_suffix);
+  const int descriptor = ::mkstemps(probe.data(), static_cast<int>(std::string_view(temporary_suffix).size()));
   if (descriptor < 0)
     throw core::InputError(fmt::format("cannot write {}: {}; make the folder {} writable or choose another -o",
                                        file.string(), reason(errno), folder.string()));
