@@ -114,7 +114,7 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", "ridgeloc " + build_provenance().program_version);
     app_.footer(
-        "Exit codes: 0 done, 1 verify found a difference, 2 bad input, 3 reading or writing failed, 4 stopped by a signal "
+        "Exit codes: 0 done, 1 verify or compare found a difference, 2 bad input, 3 reading or writing failed, 4 stopped by a signal "
         "or a time limit (finished work kept).");
 
     CLI::App& list_verb =
@@ -148,6 +148,11 @@ class CommandLine {
     merge_verb.add_flag("--mix-isa", merge_.mix_isa,
                         "let results of different instruction sets stand side by side, which ends exact reproducibility");
 
+    CLI::App& compare_verb = verb("compare", "compare two results of one study, from other machines, versions or seeds",
+                                  [this] { return compare(compare_); });
+    compare_verb.add_option("A", compare_.first, "result file")->required();
+    compare_verb.add_option("B", compare_.second, "result file")->required();
+
     CLI::App& verify_verb = verb("verify", "check a result, and compute some of its blocks again",
                                  [this] { return verify(verify_); });
     verify_verb.add_option("RESULT", verify_.result, "result file")->required();
@@ -169,6 +174,28 @@ class CommandLine {
         ->check(CLI::Range(std::uint64_t{1}, studies::max_trials))
         ->type_name("N");
     add_threads(audit_verb, audit_.threads);
+
+    CLI::App& replay_verb = verb("replay", "one trial of a result or a study again, iteration by iteration",
+                                 [this] { return replay(replay_); });
+    replay_verb.add_option("SOURCE", replay_.source, "result file, study file, or name from the catalog")->required();
+    replay_verb
+        .add_option("--cell", replay_.cell, "values of the sweep, or the number of a cell (default: the only one)")
+        ->type_name("AXIS=VALUE,...");
+    replay_verb.add_option("--trial", replay_.trial, "number of the trial, beyond the last one too")
+        ->required()
+        ->check(CLI::Range(std::uint64_t{0}, studies::max_trials - 1))
+        ->type_name("N");
+    const auto add_names = [&](const char* option, std::vector<std::string>& names, const char* description) {
+      replay_verb.add_option(option, names, description)
+          ->type_name("NAME")
+          ->expected(1)
+          ->take_all()
+          ->allow_extra_args(false);
+    };
+    add_names("--method", replay_.methods, "method of the study; may be repeated (default: all)");
+    add_names("--solver", replay_.solvers, "solver beside the methods, with the study's [solver]; may be repeated");
+    replay_verb.add_flag("--json", replay_.json, "print JSON instead of tables");
+    replay_verb.add_option("-o", replay_.output, "picture to draw: .svg, .pdf or .png")->type_name("FILE");
 
     CLI::App& export_verb = verb("export", "write a result as CSV", [this] { return export_result(export_); });
     export_verb.add_option("RESULT", export_.result, "result file")->required();
@@ -236,9 +263,11 @@ class CommandLine {
   StudyOptions plan_;
   RunOptions run_;
   MergeOptions merge_;
+  CompareOptions compare_;
   VerifyOptions verify_;
   SummaryOptions summary_;
   AuditOptions audit_;
+  ReplayOptions replay_;
   ExportOptions export_;
   PlotOptions plot_;
 };

@@ -41,14 +41,12 @@ std::string rate_text(double trials_per_second) {
 
 }  // namespace
 
-ProgressDisplay::ProgressDisplay(std::string name, const studies::RunProgress& progress, std::uint64_t total_blocks)
+ProgressDisplay::ProgressDisplay(std::string name, const studies::RunProgress& progress)
     : terminal_(is_terminal()),
-      thread_([this, name = std::move(name), &progress, total_blocks](const std::stop_token& stop) {
-        show(stop, name, progress, total_blocks);
-      }) {}
+      thread_([this, name = std::move(name), &progress](const std::stop_token& stop) { show(stop, name, progress); }) {}
 
-void ProgressDisplay::show(const std::stop_token& stop, const std::string& name, const studies::RunProgress& progress,
-                           std::uint64_t total_blocks) const {
+void ProgressDisplay::show(const std::stop_token& stop, const std::string& name,
+                           const studies::RunProgress& progress) const {
   std::mutex mutex;
   std::condition_variable_any wake;
   std::unique_lock lock(mutex);
@@ -58,10 +56,11 @@ void ProgressDisplay::show(const std::stop_token& stop, const std::string& name,
                         [&] { return stop.stop_requested(); })) {
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     const auto done = static_cast<double>(progress.blocks_done.load());
-    const double share = done / static_cast<double>(total_blocks);
+    const auto total = static_cast<double>(std::max<std::uint64_t>(progress.blocks_total.load(), 1));
+    const double share = done / total;
     const double speed = (done - static_cast<double>(blocks_before)) / seconds;
     const std::string left =
-        speed > 0.0 ? duration_text((static_cast<double>(total_blocks) - done) / speed) : std::string("?");
+        speed > 0.0 ? duration_text((total - done) / speed) : std::string("?");
     const std::string rate = rate_text(static_cast<double>(progress.trials_done.load()) / seconds);
     if (terminal_) {
       const auto filled = static_cast<std::size_t>(share * bar_width);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <thread>
 
@@ -12,11 +11,10 @@ namespace ridgeloc::app {
 /// elsewhere (a log, TERM=dumb) a plain line every ten seconds. The bar goes when the object does.
 class ProgressDisplay {
  public:
-  ProgressDisplay(std::string name, const studies::RunProgress& progress, std::uint64_t total_blocks);
+  ProgressDisplay(std::string name, const studies::RunProgress& progress);
 
  private:
-  void show(const std::stop_token& stop, const std::string& name, const studies::RunProgress& progress,
-            std::uint64_t total_blocks) const;
+  void show(const std::stop_token& stop, const std::string& name, const studies::RunProgress& progress) const;
 
   bool terminal_;
   std::jthread thread_;  // last: it reads the members above

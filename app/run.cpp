@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -68,7 +69,11 @@ void print_surplus(const Job& job) {
     fmt::print(stderr, "{}: was asked for {} trials per cell before; all stay\n", job.output.string(), header.trials);
   }
   const std::uint64_t cells = header.cells.size() - job.assignment.cells.size();
-  const std::uint64_t methods = header.methods.size() - job.assignment.methods.size();
+  std::uint64_t methods = 0;
+  for (std::size_t m = 0; m < header.methods.size(); ++m) {
+    const bool is_asked = std::ranges::binary_search(job.assignment.methods, m);
+    if (!is_asked && !header.methods[m].difference) ++methods;
+  }
   if (cells + methods > 0) {
     fmt::print(stderr, "{}: has {} and {} besides those asked for; they stay\n", job.output.string(),
                count_text(cells, "cell"), count_text(methods, "method"));
@@ -78,12 +83,11 @@ void print_surplus(const Job& job) {
 /// Runs one study; returns false when it was stopped before the end.
 bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
   print_surplus(job);
-  const std::uint64_t blocks = job.assignment.blocks();
   const auto begin = std::chrono::steady_clock::now();
   studies::RunProgress progress;
   studies::RunOutcome outcome;
   try {
-    const ProgressDisplay display(job.study.name, progress, blocks);
+    const ProgressDisplay display(job.study.name, progress);
     outcome = studies::run_study(job.study, job.plan, job.assignment, job.output, threads, build_provenance(), progress,
                                  stop);
   } catch (const core::IoError& error) {
@@ -92,6 +96,7 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
     throw core::IoError(fmt::format("{} ({}the same command goes on from there)", error.what(), kept));
   }
   for (const std::string& warning : outcome.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  const std::uint64_t blocks = progress.blocks_total;
   if (!outcome.sealed) {
     fmt::print(stderr, "{}: stopped; {} of {} blocks are kept in {}.parts. The same command goes on from there.\n",
                job.study.name, outcome.blocks_found + outcome.blocks_run, blocks, job.output.string());
@@ -106,8 +111,10 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const studies::Shard& shard = job.assignment.shard;
+    const std::string trials = job.study.stop ? fmt::format("{} to {}", job.study.stop->min_trials, job.study.stop->max_trials)
+                                              : std::to_string(job.assignment.trials);
     fmt::print(stderr, "{}: {}, {} trials each, {} on {} with {}{}: {}\n", job.study.name,
-               count_text(job.assignment.cells.size(), "cell"), job.assignment.trials,
+               count_text(job.assignment.cells.size(), "cell"), trials,
                count_text(job.study.methods.size(), "method"), count_text(static_cast<std::uint64_t>(threads), "thread"),
                job.plan.header.isa,
                shard.count == 1 ? "" : fmt::format(", share {} of {}", shard.number, shard.count),

@@ -47,6 +47,12 @@ struct MergeOptions {
 };
 int merge(const MergeOptions& options);
 
+struct CompareOptions {
+  std::string first;
+  std::string second;
+};
+int compare(const CompareOptions& options);
+
 struct VerifyOptions {
   std::string result;
   std::uint64_t blocks = 8;           ///< to compute again
@@ -67,6 +73,17 @@ struct AuditOptions {
   int threads = 1;
 };
 int audit(const AuditOptions& options);
+
+struct ReplayOptions {
+  std::string source;  ///< a result, or a study
+  std::string cell;    ///< its number, or AXIS=VALUE,...; empty: the only one
+  std::uint64_t trial = 0;
+  std::vector<std::string> methods;  ///< labels; empty: all
+  std::vector<std::string> solvers;  ///< beside them
+  bool json = false;                 ///< instead of tables
+  std::string output;                ///< a picture; empty: none
+};
+int replay(const ReplayOptions& options);
 
 struct ExportOptions {
   std::string result;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 
 #include "results/summary.hpp"
@@ -10,13 +9,13 @@ namespace ridgeloc::results {
 
 /// How much of what the study asks for a result has; a shard's has only its share.
 struct Completeness {
-  std::size_t pairs = 0;       ///< of cell and method
-  std::size_t incomplete = 0;  ///< of these, with fewer trials than asked for
-  double share = 1.0;          ///< of the trials asked for that are there
+  std::size_t cells = 0;
+  std::size_t incomplete = 0;  ///< of these, with fewer trials than asked for of some method
+  double share = 1.0;          ///< of the trials asked for that are there, over cells and methods
 };
 Completeness completeness_of(const Summary& summary);
 
-/// In words: "complete: 45 pairs of cell and method with 10000 trials each", or what is missing.
+/// In words: "complete: 15 cells with 10000 trials each", or what is missing.
 std::string completeness_text(const Summary& summary);
 
 }  // namespace ridgeloc::results

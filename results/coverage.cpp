@@ -34,6 +34,16 @@ bool Coverage::contains(std::uint64_t block, std::uint64_t trials) const {
   return found != shorter_.end() && found->second >= trials;
 }
 
+std::uint64_t Coverage::unbroken() const {
+  return whole_.empty() || whole_.begin()->first > 0 ? 0 : whole_.begin()->second;
+}
+
+std::uint64_t Coverage::end() const {
+  const std::uint64_t whole = whole_.empty() ? 0 : whole_.rbegin()->second;
+  const std::uint64_t shorter = shorter_.empty() ? 0 : shorter_.rbegin()->first + 1;
+  return std::max(whole, shorter);
+}
+
 std::uint64_t Coverage::trials(std::uint64_t block_trials) const {
   std::uint64_t sum = 0;
   for (const auto& [first, end] : whole_) sum += (end - first) * block_trials;

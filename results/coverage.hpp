@@ -14,6 +14,11 @@ class Coverage {
   /// Whether the block is there with at least that many trials.
   bool contains(std::uint64_t block, std::uint64_t trials) const;
 
+  /// How many whole blocks there are from the first on without a gap.
+  std::uint64_t unbroken() const;
+  /// One past the last block.
+  std::uint64_t end() const;
+
   /// Trials of all blocks.
   std::uint64_t trials(std::uint64_t block_trials) const;
 

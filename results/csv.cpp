@@ -84,7 +84,8 @@ void write_summary_csv(const Summary& summary, std::ostream& out) {
   write_axis_names(summary.header, csv);
   for (const char* name :
        {"method", "metric", "unit", "n",  "mean", "mcse",    "sd",     "min",    "p05",    "p25",    "p50",
-        "p75",    "p95",    "max",  "lo", "hi",   "trusted", "beyond", "p50_lo", "p50_hi", "sd_mcse"}) {
+        "p75",    "p95",    "max",  "lo", "hi",   "trusted", "beyond", "p50_lo", "p50_hi", "sd_mcse", "rms",
+        "rms_mcse", "rms_lo", "rms_hi", "p95_lo", "p95_hi"}) {
     csv.text(name);
   }
   csv.end_line();
@@ -103,6 +104,8 @@ void write_summary_csv(const Summary& summary, std::ostream& out) {
     csv.number(row.p50_lo);
     csv.number(row.p50_hi);
     csv.number(row.sd_mcse);
+    for (const double value : {row.rms, row.rms_mcse, row.rms_lo, row.rms_hi, row.p95_lo, row.p95_hi})
+      csv.number(value);
     csv.end_line();
   }
   csv.flush();

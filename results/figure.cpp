@@ -1,40 +1,16 @@
 #include "results/figure.hpp"
 
-#include <fmt/core.h>
-
-#include <system_error>
-
-#include "core/error.hpp"
 #include "results/figure_data.hpp"
 #include "results/figure_script.hpp"
-#include "results/file_system.hpp"
-#include "results/gnuplot.hpp"
+#include "results/picture_file.hpp"
 
 namespace ridgeloc::results {
-namespace {
-
-FigureFormat format_of(const std::filesystem::path& output) {
-  const std::string extension = output.extension().string();
-  if (extension == ".svg") return FigureFormat::Svg;
-  if (extension == ".pdf") return FigureFormat::Pdf;
-  if (extension == ".png") return FigureFormat::Png;
-  throw core::InputError(fmt::format("'{}': a figure's file name ends in .svg, .pdf or .png", output.string()));
-}
-
-}  // namespace
 
 void draw_figure(const Summary& summary, const FigureSpec& spec, const std::filesystem::path& output) {
-  const FigureFormat format = format_of(output);
   const FigureData data = figure_data(summary, spec);
-  refuse_to_replace_result(output);
-  require_writable(output);
-  TemporaryFile temporary(output);
-  run_gnuplot(figure_script(data, format, temporary.path()));
-  std::error_code missing;
-  if (std::filesystem::file_size(temporary.path(), missing) == 0 || missing) {
-    throw core::IoError(fmt::format("gnuplot wrote nothing for '{}'; is the disk full?", output.string()));
-  }
-  temporary.publish();
+  write_picture(
+      [&](FigureFormat format, const std::filesystem::path& file) { return figure_script(data, format, file); },
+      output);
 }
 
 }  // namespace ridgeloc::results

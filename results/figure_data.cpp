@@ -18,6 +18,7 @@ namespace ridgeloc::results {
 namespace {
 
 using Quantity = FigureNames::Quantity;
+using Statistic = FigureNames::Statistic;
 constexpr std::size_t method_dimension = FigureNames::method_dimension;
 
 /// Of a median; that of a mean stands in its row.
@@ -34,10 +35,23 @@ std::string axis_label(const Axis& axis) {
   return with_unit(axis.description.empty() ? axis.name : axis.description, axis.unit);
 }
 
+const char* statistic_text(const Quantity& quantity) {
+  switch (quantity.statistic) {
+    case Statistic::Mean:
+      return "mean";
+    case Statistic::Median:
+      return "median";
+    case Statistic::RootMeanSquare:
+      return "root mean square";
+    case Statistic::Rate:
+      return "rate";
+  }
+  return "";
+}
+
 std::string quantity_label(const Quantity& quantity) {
   const std::string text = quantity.description.empty() ? quantity.name : quantity.description;
-  const char* statistic = quantity.event ? "rate" : quantity.median ? "median" : "mean";
-  return with_unit(fmt::format("{}, {}", text, statistic), quantity.unit);
+  return with_unit(fmt::format("{}, {}", text, statistic_text(quantity)), quantity.unit);
 }
 
 std::optional<double> number(const FactorValue& value) {
@@ -71,7 +85,9 @@ bool spans_decades(const Axis& axis) {
 }
 
 FigurePoint point_of(const SummaryRow& row, const Quantity& quantity, double x) {
-  if (quantity.median) return {x, row.p50, row.p50_lo, row.p50_hi, row.n >= fewest_for_median};
+  if (quantity.statistic == Statistic::Median)
+    return {x, row.p50, row.p50_lo, row.p50_hi, row.n >= fewest_for_median};
+  if (quantity.statistic == Statistic::RootMeanSquare) return {x, row.rms, row.rms_lo, row.rms_hi, row.trusted};
   return {x, row.mean, row.lo, row.hi, row.trusted};
 }
 
@@ -164,9 +180,9 @@ class Builder {
     }
     const Quantity& first = names_.y.front();
     const bool alike = std::all_of(names_.y.begin(), names_.y.end(), [&](const Quantity& quantity) {
-      return quantity.unit == first.unit && quantity.median == first.median && quantity.event == first.event;
+      return quantity.unit == first.unit && quantity.statistic == first.statistic;
     });
-    if (alike) data.y_label = with_unit(first.event ? "rate" : first.median ? "median" : "mean", first.unit);
+    if (alike) data.y_label = with_unit(statistic_text(first), first.unit);
     for (const Quantity& quantity : names_.y) {
       const bool fits = !quantity.description.empty() && quantity.description.size() <= longest_legend_text;
       data.metrics.push_back(!fits ? quantity.name : alike ? quantity.description : quantity_label(quantity));

@@ -11,38 +11,18 @@
 namespace ridgeloc::results {
 namespace {
 
-// Mean advance of a character, in millimetres: 0.53 em (a wide sans serif) of the font sizes that the script
-// uses.
-constexpr double title_character = 1.5;      // 8.5 pt
-constexpr double small_character = 1.3;      // 7 pt: axes, legend, ticks
-constexpr double footnote_character = 1.02;  // 5.5 pt
-
 constexpr double single_panel_height = 50.0;
 constexpr double stacked_panel_height = 38.0;
 constexpr double between_panels = 3.0;
 
-std::size_t characters(double millimetres, double character) {
-  return static_cast<std::size_t>(millimetres / character);
-}
-
-/// Puts entries into columns of equal width below `y`; returns where the next line goes.
+/// Puts entries below `y`, none where there is only one; returns where the next line goes.
 double place_legend(const std::vector<std::string>& texts, bool is_metric, double y, FigureLayout& layout) {
   if (texts.size() < 2) return y;
-  std::size_t longest = 0;
-  for (const std::string& text : texts) longest = std::max(longest, display_width(text));
-  const double entry =
-      FigureLayout::sample_length + FigureLayout::sample_gap + static_cast<double>(longest) * small_character + 2.5;
-  const double room = FigureLayout::width - 2.0 * FigureLayout::edge;
-  const std::size_t fitting = std::max<std::size_t>(1, static_cast<std::size_t>(room / entry));
-  const std::size_t rows = (texts.size() + fitting - 1) / fitting;
-  const std::size_t columns = (texts.size() + rows - 1) / rows;
-  const double used = std::min(room, static_cast<double>(columns) * entry);
-  const double first = (FigureLayout::width - used) / 2.0;
+  const LegendGrid grid = legend_grid(texts, y, FigureLayout::width);
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    layout.legend.push_back({first + static_cast<double>(i % columns) * entry,
-                             y + static_cast<double>(i / columns) * FigureLayout::line_height, is_metric, i});
+    layout.legend.push_back({grid.places[i].x, grid.places[i].y, is_metric, i});
   }
-  return y + static_cast<double>(rows) * FigureLayout::line_height;
+  return grid.end;
 }
 
 double place_panels(const FigureData& data, double y, FigureLayout& layout) {
@@ -185,6 +165,31 @@ double dodged(const FigureData& data, const FigureLayout& layout, const FigureLi
   const double index = static_cast<double>(line.metric + line.group * data.metrics.size());
   const double offset = layout.dodge * (index - 0.5 * static_cast<double>(line_count(data) - 1));
   return data.log_x ? x * std::pow(10.0, offset) : x + offset;
+}
+
+LegendGrid legend_grid(const std::vector<std::string>& texts, double y, double page_width) {
+  if (texts.empty()) return {{}, y};
+  std::size_t longest = 0;
+  for (const std::string& text : texts) longest = std::max(longest, display_width(text));
+  const double entry =
+      FigureLayout::sample_length + FigureLayout::sample_gap + static_cast<double>(longest) * small_character + 2.5;
+  const double room = page_width - 2.0 * FigureLayout::edge;
+  const std::size_t fitting = std::max<std::size_t>(1, static_cast<std::size_t>(room / entry));
+  const std::size_t rows = (texts.size() + fitting - 1) / fitting;
+  const std::size_t columns = (texts.size() + rows - 1) / rows;
+  const double used = std::min(room, static_cast<double>(columns) * entry);
+  const double first = (page_width - used) / 2.0;
+  LegendGrid grid;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    grid.places.push_back({first + static_cast<double>(i % columns) * entry,
+                           y + static_cast<double>(i / columns) * FigureLayout::line_height});
+  }
+  grid.end = y + static_cast<double>(rows) * FigureLayout::line_height;
+  return grid;
+}
+
+std::size_t characters(double millimetres, double character) {
+  return static_cast<std::size_t>(millimetres / character);
 }
 
 std::vector<std::string> wrapped(std::string_view text, std::size_t most) {

@@ -65,6 +65,25 @@ bool is_drawable(const FigurePoint& point, bool log_y);
 /// other.
 double dodged(const FigureData& data, const FigureLayout& layout, const FigureLine& line, double x);
 
+/// Places of the entries of a legend, in columns of equal width in the middle of the page.
+struct LegendGrid {
+  struct Place {
+    double x = 0.0;
+    double y = 0.0;
+  };
+  std::vector<Place> places;
+  double end = 0.0;  ///< where the next line goes
+};
+LegendGrid legend_grid(const std::vector<std::string>& texts, double y, double page_width);
+
+/// Mean advance of a character, in millimetres: 0.53 em (a wide sans serif) of the font sizes that scripts use.
+inline constexpr double title_character = 1.5;      // 8.5 pt
+inline constexpr double small_character = 1.3;      // 7 pt: axes, legend, ticks
+inline constexpr double footnote_character = 1.02;  // 5.5 pt
+
+/// How many of these have room.
+std::size_t characters(double millimetres, double character);
+
 /// Breaks a text at spaces into lines of at most `most` characters (longer words stay whole).
 std::vector<std::string> wrapped(std::string_view text, std::size_t most);
 

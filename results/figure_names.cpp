@@ -46,6 +46,13 @@ std::size_t find_dimension(const Header& header, const FigureSpec& spec, std::st
   return index == header.axes.size() ? FigureNames::method_dimension : index;
 }
 
+FigureNames::Statistic statistic_of(const FigureSpec& spec, const MetricInfo& metric) {
+  using enum FigureNames::Statistic;
+  if (metric.yes_no) return Rate;
+  if (spec.statistic.empty()) return metric.heavy_tailed ? Median : Mean;
+  return spec.statistic == "median" ? Median : spec.statistic == "rms" ? RootMeanSquare : Mean;
+}
+
 FigureNames::Quantity find_quantity(const Header& header, const FigureSpec& spec, const std::string& name) {
   const Schema& schema = header.schema;
   std::vector<std::string> names;
@@ -54,18 +61,16 @@ FigureNames::Quantity find_quantity(const Header& header, const FigureSpec& spec
   const std::size_t index = find_name(spec, "y", name, names);
   if (index >= schema.metrics.size()) {
     const EventInfo& event = schema.events[index - schema.metrics.size()];
-    return {event.name, event.description, "1", true, false};
+    return {event.name, event.description, "1", FigureNames::Statistic::Rate};
   }
   const MetricInfo& metric = schema.metrics[index];
-  if (metric.yes_no) return {metric.name, metric.description, metric.unit, true, false};
-  const bool median = spec.statistic.empty() ? metric.heavy_tailed : spec.statistic == "median";
-  return {metric.name, metric.description, metric.unit, false, median};
+  return {metric.name, metric.description, metric.unit, statistic_of(spec, metric)};
 }
 
 }  // namespace
 
 FigureNames resolve_figure_names(const Header& header, const FigureSpec& spec) {
-  if (!spec.statistic.empty()) find_name(spec, "statistic", spec.statistic, {"mean", "median"});
+  if (!spec.statistic.empty()) find_name(spec, "statistic", spec.statistic, {"mean", "median", "rms"});
   if (spec.y.empty()) throw core::InputError(fmt::format("figure '{}': y names no metric", spec.name));
   FigureNames names;
   names.x = find_name(spec, "x", spec.x, axis_names(header));

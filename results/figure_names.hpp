@@ -13,12 +13,13 @@ namespace ridgeloc::results {
 struct FigureNames {
   static constexpr std::size_t method_dimension = static_cast<std::size_t>(-1);
 
+  enum class Statistic { Mean, Median, RootMeanSquare, Rate };
+
   struct Quantity {
     std::string name;
     std::string description;
     std::string unit;
-    bool event = false;
-    bool median = false;  ///< which statistic is drawn
+    Statistic statistic = Statistic::Mean;  ///< which one is drawn
   };
 
   std::size_t x = 0;  ///< axis

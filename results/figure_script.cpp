@@ -9,20 +9,16 @@
 
 #include "results/figure_layout.hpp"
 #include "results/gnuplot.hpp"
+#include "results/page_script.hpp"
 
 namespace ridgeloc::results {
 namespace {
 
 using Layout = FigureLayout;
 
-/// Okabe and Ito's palette for all kinds of colour vision, without its yellow, which is too light for lines;
-/// ordered so that neighbours differ in lightness too.
-constexpr std::array colours = {"#0072b2", "#d55e00", "#000000", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"};
-
-/// gnuplot's filled point types; the open one of the same shape is the number before.
-constexpr std::array filled_marks = {7, 5, 9, 13, 11, 15};
-
-constexpr std::array dashes = {"1", "(12,5)", "(3,4)", "(12,4,3,4)", "(22,5)", "(6,3)"};
+Page page_of(const Layout& layout) {
+  return {Layout::width, layout.height};
+}
 
 struct Style {
   const char* colour = "#444444";
@@ -44,18 +40,6 @@ Style line_style(const FigureData& data, std::size_t group, std::size_t metric) 
   return data.metrics.size() > 1 ? with_metric(style, metric) : style;
 }
 
-/// Adds an element to the list of a gnuplot command.
-void append(std::string& list, std::string_view separator, std::string_view element) {
-  if (!list.empty()) list += separator;
-  list += element;
-}
-
-constexpr std::string_view next_element = ", \\\n  ";
-
-std::string plot(const std::string& elements) {
-  return fmt::format("plot \\\n  {}\n", elements.empty() ? "NaN" : elements);
-}
-
 /// A line, given with its plotting style, and its marks. Under an open mark the line is covered.
 std::string marked_line(const std::string& line, const std::string& places, const Style& style) {
   std::string elements = fmt::format("{} lw 1.2 lc rgb '{}' dt {}", line, style.colour, style.dash);
@@ -68,74 +52,41 @@ std::string marked_line(const std::string& line, const std::string& places, cons
   return elements;
 }
 
-std::string text(const Layout& layout, double x_mm, double y_mm, std::string_view value, std::string_view options) {
-  return fmt::format("set label {} at screen {:.5f},{:.5f} {} front\n", gnuplot_string(value), x_mm / Layout::width,
-                     1.0 - y_mm / layout.height, options);
-}
-
-std::string terminal(FigureFormat format, const Layout& layout) {
-  constexpr double css_pixels_per_mm = 96.0 / 25.4;
-  constexpr double print_pixels_per_mm = 300.0 / 25.4;
-  const auto pixels = [](double mm, double per_mm) { return std::lround(mm * per_mm); };
-  switch (format) {  // the scales make fonts, lines and marks of the same size in all three
-    case FigureFormat::Svg:
-      return fmt::format("svg size {},{} font 'sans-serif,8' fontscale 1.333 background 'white'",
-                         pixels(Layout::width, css_pixels_per_mm), pixels(layout.height, css_pixels_per_mm));
-    case FigureFormat::Pdf:
-      return fmt::format("pdfcairo size {:.3f}cm,{:.3f}cm font 'Sans,8' fontscale 0.75 linewidth 1.5 pointscale 0.8",
-                         Layout::width / 10.0, layout.height / 10.0);
-    case FigureFormat::Png:
-      return fmt::format("pngcairo size {},{} font 'Sans,8' fontscale 3.125 linewidth 3.125 pointscale 3.125",
-                         pixels(Layout::width, print_pixels_per_mm), pixels(layout.height, print_pixels_per_mm));
-  }
-  return {};
-}
-
-std::string margins(const Layout& layout, double left, double right, double top, double bottom) {
-  return fmt::format(
-      "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
-      "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
-      left / Layout::width, right / Layout::width, 1.0 - top / layout.height, 1.0 - bottom / layout.height);
-}
-
-std::string ranges(const FigureRange& x, const FigureRange& y) {
-  return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", x.low, x.high, y.low, y.high);
-}
-
 /// All that is written on the page outside of the panels' axes.
 std::string lettering(const FigureData& data, const Layout& layout) {
   std::string script;
   const auto lines = [&](const std::vector<std::string>& texts, double x, double y, double height,
                          const char* options) {
     for (const std::string& line : texts) {
-      script += text(layout, x, y, line, options);
+      script += page_text(page_of(layout), x, y, line, options);
       y += height;
     }
   };
   lines(layout.title, Layout::width / 2.0, layout.title_y, Layout::line_height, "center font ',8.5'");
   lines(layout.footnote, Layout::edge, layout.footnote_y, Layout::footnote_line_height,
         "left font ',5.5' tc rgb '#444444'");
-  script += text(layout, (layout.left + Layout::width - Layout::right) / 2.0, layout.x_label_y, data.x_label,
-                 "center font ',7'");
+  script += page_text(page_of(layout), (layout.left + Layout::width - Layout::right) / 2.0, layout.x_label_y,
+                      data.x_label, "center font ',7'");
   // One label for all panels: they share the quantity and its range.
   double x = Layout::edge + Layout::line_height / 2.0;
   for (const std::string& line : layout.y_label) {
-    script += text(layout, x, (layout.panels.front().top + layout.panels.back().bottom) / 2.0, line,
-                   "center rotate by 90 font ',7'");
+    script += page_text(page_of(layout), x, (layout.panels.front().top + layout.panels.back().bottom) / 2.0, line,
+                        "center rotate by 90 font ',7'");
     x += Layout::line_height;
   }
   for (std::size_t i = 0; i < layout.panels.size(); ++i) {
     if (data.panels[i].label.empty()) continue;
     const std::string letter(1, static_cast<char>('a' + i % 26));
-    script += text(layout, layout.left, layout.panels[i].label_y, fmt::format("({}) {}", letter, data.panels[i].label),
-                   "left font ',7.5'");
+    script += page_text(page_of(layout), layout.left, layout.panels[i].label_y,
+                        fmt::format("({}) {}", letter, data.panels[i].label), "left font ',7.5'");
   }
   if (data.groups.size() > 1) {
-    script += text(layout, Layout::width / 2.0, layout.legend_title_y, data.group_title, "center font ',7'");
+    script +=
+        page_text(page_of(layout), Layout::width / 2.0, layout.legend_title_y, data.group_title, "center font ',7'");
   }
   for (const LegendEntry& entry : layout.legend) {
-    script += text(layout, entry.x + Layout::sample_length + Layout::sample_gap, entry.y,
-                   entry.is_metric ? data.metrics[entry.index] : data.groups[entry.index], "left font ',7'");
+    script += page_text(page_of(layout), entry.x + Layout::sample_length + Layout::sample_gap, entry.y,
+                        entry.is_metric ? data.metrics[entry.index] : data.groups[entry.index], "left font ',7'");
   }
   return script;
 }
@@ -143,8 +94,8 @@ std::string lettering(const FigureData& data, const Layout& layout) {
 /// Plots the legend's samples over the whole page, in coordinates of millimetres; the lettering comes with
 /// it.
 std::string draw_page(const FigureData& data, const Layout& layout) {
-  std::string script = lettering(data, layout) + margins(layout, 0.0, Layout::width, 0.0, layout.height) +
-                       "unset border\nunset tics\n" + ranges({0.0, Layout::width}, {layout.height, 0.0});
+  std::string script = lettering(data, layout) + margins(page_of(layout), 0.0, Layout::width, 0.0, layout.height) +
+                       "unset border\nunset tics\n" + axis_ranges({0.0, Layout::width}, {layout.height, 0.0});
   std::string elements;
   for (std::size_t i = 0; i < layout.legend.size(); ++i) {
     const LegendEntry& entry = layout.legend[i];
@@ -155,7 +106,7 @@ std::string draw_page(const FigureData& data, const Layout& layout) {
     append(elements, next_element,
            marked_line(name + " index 0 using 1:2:3:(0) with vectors nohead", name + " index 1", style));
   }
-  return script + plot(elements) + "unset label\n";
+  return script + plot_command(elements) + "unset label\n";
 }
 
 /// Ticks of a logarithmic axis: labelled at 1, 2 and 5 times the powers of ten where the axis is short, else
@@ -190,7 +141,7 @@ std::string panel_axes(const FigureData& data, const Layout& layout) {
       "set xtics nomirror\nset ytics nomirror\n"
       "set grid xtics ytics back lt 1 lc rgb '#dcdcdc' lw 0.5\n"
       "set format y '%g'\n";
-  script += ranges(layout.x, layout.y);
+  script += axis_ranges(layout.x, layout.y);
   if (data.log_x) script += "set logscale x\n";
   if (data.log_y) script += "set logscale y\n" + log_y_ticks(layout.y);
   return script;
@@ -220,7 +171,7 @@ std::string bars(const std::string& name, const Style& style) {
 
 std::string draw_panel(const FigureData& data, const Layout& layout, std::size_t index) {
   const PanelLayout& place = layout.panels[index];
-  std::string script = margins(layout, layout.left, Layout::width - Layout::right, place.top, place.bottom);
+  std::string script = margins(page_of(layout), layout.left, Layout::width - Layout::right, place.top, place.bottom);
   script += x_ticks(layout, index + 1 == layout.panels.size());
   std::string elements;
   for (const FigureLine& line : data.panels[index].lines) {
@@ -233,7 +184,7 @@ std::string draw_panel(const FigureData& data, const Layout& layout, std::size_t
     append(elements, next_element, bars(name, style));
     append(elements, next_element, marked_line(name + " using 1:2 with lines", name, style));
   }
-  return script + plot(elements);
+  return script + plot_command(elements);
 }
 
 }  // namespace
@@ -241,7 +192,7 @@ std::string draw_panel(const FigureData& data, const Layout& layout, std::size_t
 std::string figure_script(const FigureData& data, FigureFormat format, const std::filesystem::path& output) {
   const Layout layout = figure_layout(data);
   std::string script = fmt::format("set encoding utf8\nset terminal {} noenhanced\nset output {}\n",
-                                   terminal(format, layout), gnuplot_string(output.string()));
+                                   terminal(format, page_of(layout)), gnuplot_string(output.string()));
   script += "unset key\nset multiplot\n" + draw_page(data, layout) + panel_axes(data, layout);
   for (std::size_t i = 0; i < data.panels.size(); ++i) script += draw_panel(data, layout, i);
   return script + "unset multiplot\nunset output\n";

@@ -4,11 +4,9 @@
 #include <string>
 
 #include "results/figure_data.hpp"
+#include "results/page_script.hpp"
 
 namespace ridgeloc::results {
-
-/// File formats of figures; the file extension says which.
-enum class FigureFormat { Svg, Pdf, Png };
 
 /// The gnuplot script that draws a figure into `output`, 85 mm wide: title, legend, one panel above the other
 /// over a shared x axis, footnote. Lines differ by colour (Okabe and Ito's palette), mark and dash; with

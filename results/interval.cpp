@@ -10,6 +10,24 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double z = normal_quantile_975;
 
+/// Mean of v^2 and its standard error.
+struct MeanSquare {
+  double value = nan;
+  double error = nan;
+};
+
+MeanSquare mean_square(const Moments& moments) {
+  if (moments.n == 0) return {};
+  const double n = static_cast<double>(moments.n);
+  const double mean = moments.mean;
+  const double c2 = moments.m2 / n;
+  const double value = mean * mean + c2;
+  if (moments.n < 2) return {value, nan};
+  // Var(v^2) = Var((v - mean)^2 + 2 mean (v - mean)), which cancels less than E v^4 - (E v^2)^2.
+  const double variance = moments.m4 / n - c2 * c2 + 4.0 * mean * (moments.m3 / n + mean * c2);
+  return {value, std::sqrt(std::max(variance, 0.0) / (n - 1.0))};
+}
+
 }  // namespace
 
 double student_quantile_975(std::uint64_t degrees_of_freedom) {
@@ -49,6 +67,22 @@ Interval mean_interval(const Moments& moments) {
   if (moments.n < 2) return {nan, nan};
   const double half = student_quantile_975(moments.n - 1) * mean_standard_error(moments);
   return {moments.mean - half, moments.mean + half};
+}
+
+double root_mean_square(const Moments& moments) {
+  return std::sqrt(mean_square(moments).value);
+}
+
+double root_mean_square_error(const Moments& moments) {
+  const MeanSquare square = mean_square(moments);
+  return square.value == 0.0 ? 0.0 : square.error / (2.0 * std::sqrt(square.value));
+}
+
+Interval root_mean_square_interval(const Moments& moments) {
+  const MeanSquare square = mean_square(moments);
+  if (std::isnan(square.error)) return {nan, nan};
+  const double half = student_quantile_975(moments.n - 1) * square.error;
+  return {std::sqrt(std::max(square.value - half, 0.0)), std::sqrt(square.value + half)};
 }
 
 Interval wilson_interval(std::uint64_t successes, std::uint64_t trials) {

@@ -39,6 +39,16 @@ double variance_of_variance(const Moments& moments);
 /// mean +- t s / sqrt(n), t of n - 1 degrees of freedom (which tends to the normal quantile); NaN for n < 2.
 Interval mean_interval(const Moments& moments);
 
+/// sqrt(sum v^2 / n), of errors the RMSE; NaN without values.
+double root_mean_square(const Moments& moments);
+
+/// Monte Carlo standard error of the root mean square R: s(v^2) / (2 R sqrt(n)), with the variance of v^2 from the first
+/// four moments, so that it holds for any distribution with a fourth moment. 0 where all v are 0, NaN for n < 2.
+double root_mean_square_error(const Moments& moments);
+
+/// Roots of the ends of the interval of the mean of v^2, t of n - 1 degrees of freedom; the lower at least 0.
+Interval root_mean_square_interval(const Moments& moments);
+
 /// Interval of a probability after `successes` of `trials` (Wilson 1927); NaN for no trials.
 Interval wilson_interval(std::uint64_t successes, std::uint64_t trials);
 

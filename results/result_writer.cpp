@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -73,13 +74,14 @@ std::vector<Header> headers_at(const fs::path& path) {
   return headers;
 }
 
-ResultWriter::ResultWriter(fs::path path, Header header)
+ResultWriter::ResultWriter(fs::path path, Header header, Totals totals)
     : path_(std::move(path)),
       folder_(parts_folder(path_)),
       header_(std::move(header)),
       present_(header_.cells.size() * header_.methods.size()),
       pending_(new_part()),
       last_part_(std::chrono::steady_clock::now()) {
+  if (totals == Totals::Kept) totals_.emplace(header_.block_trials);
   require_writable(path_);
   std::error_code error;
   fs::create_directory(folder_, error);
@@ -145,6 +147,7 @@ void ResultWriter::mark_present(const BlockSource& source) {
 void ResultWriter::mark_present(const Row& row) {
   present(row.cell, row.method)
       .blocks.insert(row.first_block, row.blocks, row.statistics.trials, header_.block_trials);
+  if (totals_) totals_->insert(row);
 }
 
 void ResultWriter::mark_present(const TrialColumns& columns) {
@@ -164,6 +167,22 @@ std::vector<std::size_t> ResultWriter::missing_methods(std::size_t cell, std::ui
       missing.push_back(method);
   }
   return missing;
+}
+
+ResultWriter::Extent ResultWriter::extent(std::size_t cell, const std::vector<std::size_t>& methods) const {
+  Extent extent{std::numeric_limits<std::uint64_t>::max(), 0};
+  const std::lock_guard lock(state_mutex_);
+  for (const std::size_t method : methods) {
+    const Coverage& blocks = present_.at(cell * header_.methods.size() + method).blocks;
+    extent.unbroken = std::min(extent.unbroken, blocks.unbroken());
+    extent.end = std::max(extent.end, blocks.end());
+  }
+  return extent;
+}
+
+Statistics ResultWriter::statistics(std::size_t cell, std::size_t method) const {
+  const std::lock_guard lock(state_mutex_);
+  return totals_->total(cell, method);
 }
 
 bool ResultWriter::is_current() const {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,13 +30,16 @@ std::vector<Header> headers_at(const std::filesystem::path& path);
 /// data of the result do not depend on the order of blocks, on how they fell into parts, or on interruptions. If anything
 /// fails, the finished parts stay and the same study goes on from there.
 ///
-/// `missing_methods`, `add` and `flush` may be called from any thread.
+/// `missing_methods`, `extent`, `statistics`, `add` and `flush` may be called from any thread.
 class ResultWriter {
  public:
   /// Checks that `path` can be written, and takes over what it holds and what a stopped run has left. All of that must
   /// be of the study that the header describes, and in it: throws core::InputError otherwise, and if another run is
   /// writing.
-  ResultWriter(std::filesystem::path path, Header header);
+  ///
+  /// With `Totals::Kept` the statistics of all blocks stay in memory, for `statistics`.
+  enum class Totals { Dropped, Kept };
+  ResultWriter(std::filesystem::path path, Header header, Totals totals = Totals::Dropped);
   /// Keeps what was added as a part if that is possible, and removes the folder of parts if there are none.
   ~ResultWriter();
   ResultWriter(const ResultWriter&) = delete;
@@ -48,6 +52,17 @@ class ResultWriter {
   /// trials where the study keeps them.
   std::vector<std::size_t> missing_methods(std::size_t cell, std::uint64_t block, std::uint64_t trials,
                                            const std::vector<std::size_t>& methods) const;
+
+  /// How far a cell is for some methods: the whole blocks that all have from the first on without a gap, and one past the
+  /// last block that any has.
+  struct Extent {
+    std::uint64_t unbroken = 0;
+    std::uint64_t end = 0;
+  };
+  Extent extent(std::size_t cell, const std::vector<std::size_t>& methods) const;
+
+  /// Of all trials that a method has in a cell. Precondition: totals are kept.
+  Statistics statistics(std::size_t cell, std::size_t method) const;
 
   /// Whether the sealed result is as `seal` would make it now: nothing was added, and it says of itself what the header
   /// says.
@@ -93,8 +108,9 @@ class ResultWriter {
   std::vector<std::string> warnings_;
   std::vector<std::filesystem::path> damaged_parts_;
 
-  mutable std::mutex state_mutex_;  ///< guards the next four
+  mutable std::mutex state_mutex_;  ///< guards the next five
   std::vector<Present> present_;    ///< cell * methods + method
+  std::optional<Ledger> totals_;    ///< if they are kept
   Part pending_;
   std::size_t pending_column_bytes_ = 0;
   std::chrono::steady_clock::time_point last_part_;

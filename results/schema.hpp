@@ -73,7 +73,7 @@ struct FigureSpec {
   std::string title;
   std::string x;                     ///< a sweep axis
   std::vector<std::string> y;        ///< metrics or events
-  std::string statistic;             ///< "mean" or "median"; empty: the metric's leading one
+  std::string statistic;             ///< "mean", "median" or "rms"; empty: the metric's leading one
   std::vector<std::string> group;    ///< axes or "method": one line per combination
   std::string facet;                 ///< axis or "method": one panel per value; empty: one panel
   std::vector<std::string> methods;  ///< restricts to these labels; empty: all that have the metric

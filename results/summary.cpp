@@ -26,7 +26,8 @@ SummaryRow blank_row(std::size_t cell, std::size_t method, std::string metric, s
   row.metric = std::move(metric);
   row.unit = std::move(unit);
   for (double* field : {&row.mean, &row.mcse, &row.lo, &row.hi, &row.sd, &row.sd_mcse, &row.min, &row.p05, &row.p25,
-                        &row.p50, &row.p75, &row.p95, &row.p50_lo, &row.p50_hi, &row.max}) {
+                        &row.p50, &row.p75, &row.p95, &row.p50_lo, &row.p50_hi, &row.max, &row.rms, &row.rms_mcse,
+                        &row.rms_lo, &row.rms_hi, &row.p95_lo, &row.p95_hi}) {
     *field = nan;
   }
   return row;
@@ -42,6 +43,11 @@ void fill_moments(SummaryRow& row, const MetricStatistics& metric) {
   const Interval interval = mean_interval(moments);
   row.lo = interval.lo;
   row.hi = interval.hi;
+  row.rms = root_mean_square(moments);
+  row.rms_mcse = root_mean_square_error(moments);
+  const Interval rms = root_mean_square_interval(moments);
+  row.rms_lo = rms.lo;
+  row.rms_hi = rms.hi;
   // Of a sample without spread nothing is known of how it would spread, as of a rate without events.
   row.trusted = moments.n >= fewest_trusted && moments.m2 > 0.0 && metric.beyond == 0 &&
                 variance_of_variance(moments) <= largest_variance_of_variance;
@@ -63,9 +69,12 @@ void fill_quantiles(SummaryRow& row, const MetricInfo& info, const MetricStatist
   row.p50 = within(metric.histogram.quantile(0.50));
   row.p75 = within(metric.histogram.quantile(0.75));
   row.p95 = within(metric.histogram.quantile(0.95));
-  const Interval interval = quantile_interval(metric.histogram, 0.5);
-  row.p50_lo = within(interval.lo);
-  row.p50_hi = within(interval.hi);
+  const Interval median = quantile_interval(metric.histogram, 0.5);
+  row.p50_lo = within(median.lo);
+  row.p50_hi = within(median.hi);
+  const Interval p95 = quantile_interval(metric.histogram, 0.95);
+  row.p95_lo = within(p95.lo);
+  row.p95_hi = within(p95.hi);
 }
 
 void fill_rate(SummaryRow& row, std::uint64_t count) {
@@ -151,6 +160,20 @@ std::vector<SummaryRow> summary_rows(const Summary& summary) {
     }
   }
   return rows;
+}
+
+SummaryRow summary_row(const Header& header, std::size_t method, const Statistics& statistics, std::string_view name) {
+  const Schema& schema = header.schema;
+  for (std::size_t i = 0; i < schema.metrics.size(); ++i) {
+    if (schema.metrics[i].name != name) continue;
+    return metric_row(0, method, schema.metrics[i],
+                      i < statistics.metrics.size() ? statistics.metrics[i] : MetricStatistics());
+  }
+  const auto event = std::ranges::find(schema.events, name, &EventInfo::name);
+  const auto index = static_cast<std::size_t>(event - schema.events.begin());
+  if (index < statistics.events.size())
+    return event_row(0, method, *event, statistics.events[index], statistics.trials);
+  return blank_row(0, method, event->name, "1");
 }
 
 }  // namespace ridgeloc::results

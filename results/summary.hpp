@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "results/schema.hpp"
@@ -30,6 +31,10 @@ struct SummaryRow {
   double p50_lo = 0.0;  ///< 95 % interval of the median, from order statistics
   double p50_hi = 0.0;
   double max = 0.0;
+  double rms = 0.0;  ///< root mean square: of errors the RMSE
+  double rms_mcse = 0.0;
+  double rms_lo = 0.0, rms_hi = 0.0;  ///< its 95 % interval
+  double p95_lo = 0.0, p95_hi = 0.0;  ///< 95 % interval of p95, from order statistics
   bool trusted = false;  ///< whether the bar itself is reliable
 };
 
@@ -54,5 +59,8 @@ std::uint64_t yes_count(const MetricStatistics& metric);
 /// A bar is trusted when it rests on at least 10 values (for a rate: 10 of either outcome), none of them
 /// beyond the moments' limit, and the variance of the variance, M4 / M2^2 - 1 / n, is at most 0.1.
 std::vector<SummaryRow> summary_rows(const Summary& summary);
+
+/// The row of one metric or event of one method. Precondition: the schema has it.
+SummaryRow summary_row(const Header& header, std::size_t method, const Statistics& statistics, std::string_view name);
 
 }  // namespace ridgeloc::results

@@ -17,7 +17,7 @@ struct Statistic {
 };
 
 /// The values along the dimension "statistic". Counts are exact as doubles up to 2^53.
-constexpr std::array<Statistic, 18> statistics = {{
+constexpr std::array<Statistic, 24> statistics = {{
     {"n", [](const SummaryRow& row) { return static_cast<double>(row.n); }},
     {"beyond", [](const SummaryRow& row) { return static_cast<double>(row.beyond); }},
     {"mean", [](const SummaryRow& row) { return row.mean; }},
@@ -36,6 +36,12 @@ constexpr std::array<Statistic, 18> statistics = {{
     {"p50_hi", [](const SummaryRow& row) { return row.p50_hi; }},
     {"max", [](const SummaryRow& row) { return row.max; }},
     {"trusted", [](const SummaryRow& row) { return row.trusted ? 1.0 : 0.0; }},
+    {"rms", [](const SummaryRow& row) { return row.rms; }},
+    {"rms_mcse", [](const SummaryRow& row) { return row.rms_mcse; }},
+    {"rms_lo", [](const SummaryRow& row) { return row.rms_lo; }},
+    {"rms_hi", [](const SummaryRow& row) { return row.rms_hi; }},
+    {"p95_lo", [](const SummaryRow& row) { return row.p95_lo; }},
+    {"p95_hi", [](const SummaryRow& row) { return row.p95_hi; }},
 }};
 
 std::string path_of(const std::string& name) {

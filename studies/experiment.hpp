@@ -11,6 +11,7 @@
 #include "core/isa.hpp"
 #include "results/block.hpp"
 #include "results/schema.hpp"
+#include "studies/replay.hpp"
 #include "studies/value.hpp"
 
 namespace ridgeloc::studies {
@@ -114,6 +115,11 @@ class Experiment {
   virtual std::vector<FailureCounts> count_failures(std::uint64_t seed, const Cell& cell,
                                                     std::span<const Method> methods, TrialRange range,
                                                     Workspace& workspace) const = 0;
+
+  /// Simulates one trial again and solves it with every method, over `double` with each iteration told, and beside it
+  /// as in a block. A pure function, like `run_block`; the drawing takes a moment.
+  virtual Replay replay(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, std::uint64_t trial,
+                        Workspace& workspace) const = 0;
 };
 
 /// All experiments.

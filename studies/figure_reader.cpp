@@ -51,7 +51,7 @@ results::FigureSpec read_figure(const toml::table& table, const Study& study, st
   figure.y = read_texts(required("y", "a metric, or a list of them"), "figure.y", quantities);
   if (const toml::node* node = table.get("title")) figure.title = read_text(*node, "figure.title");
   if (const toml::node* node = table.get("statistic")) {
-    figure.statistic = read_text(*node, "figure.statistic", {"mean", "median"});
+    figure.statistic = read_text(*node, "figure.statistic", {"mean", "median", "rms"});
   }
   if (const toml::node* node = table.get("group")) figure.group = read_texts(*node, "figure.group", groups);
   if (const toml::node* node = table.get("facet")) figure.facet = read_text(*node, "figure.facet", groups);

@@ -5,12 +5,13 @@
 #include <limits>
 
 #include "core/error.hpp"
-#include "core/problem.hpp"
 #include "core/solution.hpp"
-#include "sim/kernels.hpp"
+#include "sim/field_of_view.hpp"
 #include "solvers/solver.hpp"
 #include "studies/audit.hpp"
+#include "studies/ranging_replay.hpp"
 #include "studies/ranging_settings.hpp"
+#include "studies/ranging_trials.hpp"
 #include "studies/solver_settings.hpp"
 
 namespace ridgeloc::studies {
@@ -65,19 +66,6 @@ results::Schema make_schema() {
       {"stationary", "converged trials whose next step without K or damping is shorter than the step tolerance"});
   return schema;
 }
-
-struct Scratch : Workspace {
-  using Workspace::Workspace;
-
-  core::ProblemBatch problems;
-  core::SolutionBatch solutions;
-  std::array<std::vector<double>, 3> truth;
-  std::vector<double> image_distance;
-  std::vector<double> values;
-  std::vector<double> condition;
-  std::vector<std::uint8_t> flags;
-  Audit::Columns audit;
-};
 
 class Ranging : public Experiment {
  public:
@@ -148,13 +136,15 @@ methods = ["ols", "rr", "rrr"]
 
   std::vector<std::string> extra_labels() const override { return {std::string(scene_label)}; }
 
-  std::unique_ptr<Workspace> make_workspace(core::Isa isa) const override { return std::make_unique<Scratch>(isa); }
+  std::unique_ptr<Workspace> make_workspace(core::Isa isa) const override {
+    return std::make_unique<RangingScratch>(isa);
+  }
 
   void run_block(const StudyKey& key, const Cell& cell, std::span<const Method> methods, TrialRange range,
                  Workspace& workspace, results::BlockSink& sink) const override {
-    auto& scratch = static_cast<Scratch&>(workspace);
+    auto& scratch = static_cast<RangingScratch&>(workspace);
     const RangingCell settings(cell.values);
-    const core::Oracle oracle = simulate(key.seed, settings, range, scratch);
+    const core::Oracle oracle = simulate_ranging(key.seed, settings, range, scratch);
     Audit audit(scratch.problems, oracle, AuditSample(key).slots(range));
     for (std::size_t m = 0; m < methods.size(); ++m) {
       const solvers::SolverOptions options = solver_options(cell.values, methods[m].given);
@@ -174,9 +164,9 @@ methods = ["ols", "rr", "rrr"]
 
   std::vector<FailureCounts> count_failures(std::uint64_t seed, const Cell& cell, std::span<const Method> methods,
                                             TrialRange range, Workspace& workspace) const override {
-    auto& scratch = static_cast<Scratch&>(workspace);
+    auto& scratch = static_cast<RangingScratch&>(workspace);
     const RangingCell settings(cell.values);
-    const core::Oracle oracle = simulate(seed, settings, range, scratch);
+    const core::Oracle oracle = simulate_ranging(seed, settings, range, scratch);
     const Audit audit(scratch.problems, oracle, {});
     std::vector<FailureCounts> counts;
     for (const Method& method : methods) {
@@ -199,45 +189,21 @@ methods = ["ols", "rr", "rrr"]
     return counts;
   }
 
- private:
-  /// Writes problems of a range of trials into the scratch memory; what is known about them refers to it too.
-  static core::Oracle simulate(std::uint64_t seed, const RangingCell& settings, TrialRange range, Scratch& scratch) {
-    scratch.problems.reshape(settings.points, range.count);
-    const sim::Kernels scene = sim::kernels(scratch.isa);
-    scene.place_objects(settings.view, sim::SceneStreams(seed, settings.view), range.first, scratch.problems);
-    if (settings.has_scores) {
-      scratch.problems.add_scores();
-      scene.draw_scores(settings.noise_options.score, core::Stream(seed, "score"), range.first, scratch.problems);
-    }
-    scene.measure_ranges(*settings.noise, settings.noise_options, core::Stream(seed, "noise", settings.noise->name),
-                         range.first, scratch.problems);
-
-    core::Oracle oracle;
-    if (settings.has_images) {
-      scratch.problems.add_images();
-      scratch.image_distance.resize(range.count);
-      scene.take_images(settings.focal_length_mm, scratch.problems, scratch.image_distance);
-      oracle.image_distance = scratch.image_distance;
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      scratch.truth[axis].assign(range.count, sim::true_position_m[axis]);
-      oracle.truth[axis] = scratch.truth[axis];
-    }
-    oracle.range_sigma_m = settings.range_sigma_m;
-    oracle.k_error = core::Stream(seed, "k_error");
-    oracle.first_trial = range.first;
-    return oracle;
+  Replay replay(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, std::uint64_t trial,
+                Workspace& workspace) const override {
+    return replay_ranging(seed, cell, methods, trial, static_cast<RangingScratch&>(workspace));
   }
 
+ private:
   /// Writes f(trial) for every trial into one column of the sink.
   template <class F>
-  static void report(std::size_t method, Metric metric, Scratch& scratch, results::BlockSink& sink, F&& value) {
+  static void report(std::size_t method, Metric metric, RangingScratch& scratch, results::BlockSink& sink, F&& value) {
     scratch.values.resize(scratch.problems.trials());
     for (std::size_t t = 0; t < scratch.values.size(); ++t) scratch.values[t] = value(t);
     sink.metric(method, metric, scratch.values);
   }
 
-  static void report_method(std::size_t m, const solvers::SolverOptions& options, bool reads_k, Scratch& scratch,
+  static void report_method(std::size_t m, const solvers::SolverOptions& options, bool reads_k, RangingScratch& scratch,
                             results::BlockSink& sink) {
     const core::SolutionBatch& s = scratch.solutions;
     constexpr double not_in_population = std::numeric_limits<double>::quiet_NaN();
@@ -285,7 +251,7 @@ methods = ["ols", "rr", "rrr"]
   }
 
   static void report_scene(std::size_t label, const RangingCell& settings, const solvers::SolverOptions& options,
-                           const core::Oracle& oracle, Scratch& scratch, results::BlockSink& sink) {
+                           const core::Oracle& oracle, RangingScratch& scratch, results::BlockSink& sink) {
     scratch.values.resize(scratch.problems.trials());
     scratch.condition.resize(scratch.problems.trials());
     solvers::geometry_kernel(scratch.isa)(scratch.problems, options, oracle, scratch.values, scratch.condition);

@@ -8,7 +8,9 @@
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <utility>
@@ -64,64 +66,166 @@ BlockWork block_work(const Study& study, const results::Header& header, const st
   return work;
 }
 
+/// Blocks first, first + 1, ..., end - 1 of the cell at a place of the assignment.
+struct Stretch {
+  std::size_t place = 0;
+  std::uint64_t first = 0;
+  std::uint64_t end = 0;
+
+  std::uint64_t tasks() const { return (end - first + blocks_per_task - 1) / blocks_per_task; }
+};
+
+/// One run: what is to be done, and where it goes.
+class Run {
+ public:
+  Run(const Study& study, const Plan& plan, const Assignment& assignment, results::ResultWriter& writer,
+      RunProgress& progress, const std::atomic<bool>& stop)
+      : study_(study),
+        plan_(plan),
+        assignment_(assignment),
+        writer_(writer),
+        progress_(progress),
+        stop_(stop),
+        workspaces_([&study, &plan] { return study.experiment->make_workspace(plan.isa); }) {}
+
+  /// Computes what is missing of some stretches, in their order as far as threads have one.
+  void compute(const std::vector<Stretch>& stretches);
+
+  /// All blocks of the assignment.
+  std::vector<Stretch> everything() const;
+
+  /// The blocks that are there of every method; they may lack the values of their trials.
+  std::vector<Stretch> present() const;
+
+  /// What the stop rule asks for next; nothing when every cell has enough.
+  std::vector<Stretch> next_round() const;
+
+  std::uint64_t blocks_found() const { return found_.load(); }
+  std::uint64_t blocks_run() const { return computed_.load(); }
+
+ private:
+  void compute_task(const Stretch& stretch, std::uint64_t task);
+  bool is_enough(std::size_t cell) const;
+
+  const Study& study_;
+  const Plan& plan_;
+  const Assignment& assignment_;
+  results::ResultWriter& writer_;
+  RunProgress& progress_;
+  const std::atomic<bool>& stop_;
+  tbb::enumerable_thread_specific<std::unique_ptr<Workspace>> workspaces_;
+  std::atomic<std::uint64_t> found_{0};
+  std::atomic<std::uint64_t> computed_{0};
+};
+
+void Run::compute_task(const Stretch& stretch, std::uint64_t task) {
+  const Cell& cell = plan_.cells[assignment_.cells[stretch.place]];
+  const std::uint64_t first = stretch.first + task * blocks_per_task;
+  const std::uint64_t end = std::min(first + blocks_per_task, stretch.end);
+  std::vector<results::BlockSink> sinks;
+  for (std::uint64_t block = first; block < end && !stop_.load(std::memory_order_relaxed); ++block) {
+    if (!assignment_.contains(stretch.place, block)) continue;
+    const TrialRange range = assignment_.range(block);
+    const auto missing = writer_.missing_methods(cell.index, block, range.count, assignment_.methods);
+    if (missing.empty()) {
+      found_.fetch_add(1, std::memory_order_relaxed);
+    } else {
+      BlockWork work = block_work(study_, plan_.header, missing);
+      results::BlockSink& sink = sinks.emplace_back(plan_.header, cell.index, block, range.count, std::move(work.wanted));
+      study_.experiment->run_block({study_.seed, study_.audit}, cell, work.methods, range, *workspaces_.local(), sink);
+      computed_.fetch_add(1, std::memory_order_relaxed);
+      progress_.trials_done.fetch_add(range.count, std::memory_order_relaxed);
+    }
+    progress_.blocks_done.fetch_add(1, std::memory_order_relaxed);
+  }
+  if (!sinks.empty()) writer_.add(std::move(sinks));
+}
+
+void Run::compute(const std::vector<Stretch>& stretches) {
+  std::vector<std::uint64_t> tasks_before = {0};
+  for (const Stretch& stretch : stretches) tasks_before.push_back(tasks_before.back() + stretch.tasks());
+  tbb::task_group_context context;
+  tbb::parallel_for(
+      tbb::blocked_range<std::uint64_t>(0, tasks_before.back(), 1),
+      [&](const tbb::blocked_range<std::uint64_t>& range) {
+        // Without this a stop would still visit every task there is, and there may be billions.
+        if (stop_.load(std::memory_order_relaxed)) context.cancel_group_execution();
+        for (std::uint64_t task = range.begin(); task != range.end(); ++task) {
+          const auto after = std::ranges::upper_bound(tasks_before, task);
+          const auto i = static_cast<std::size_t>(after - tasks_before.begin()) - 1;
+          compute_task(stretches[i], task - tasks_before[i]);
+        }
+      },
+      tbb::simple_partitioner{}, context);
+}
+
+std::vector<Stretch> Run::everything() const {
+  std::vector<Stretch> all;
+  for (std::size_t place = 0; place < assignment_.cells.size(); ++place)
+    all.push_back({place, 0, assignment_.blocks_per_cell()});
+  return all;
+}
+
+std::vector<Stretch> Run::present() const {
+  std::vector<Stretch> all;
+  for (std::size_t place = 0; place < assignment_.cells.size(); ++place)
+    all.push_back({place, 0, writer_.extent(assignment_.cells[place], assignment_.methods).unbroken});
+  return all;
+}
+
+bool Run::is_enough(std::size_t cell) const {
+  std::vector<results::Statistics> statistics;
+  for (std::size_t m = 0; m < plan_.header.methods.size(); ++m) statistics.push_back(writer_.statistics(cell, m));
+  return is_reached(*study_.stop, plan_.header, statistics);
+}
+
+std::vector<Stretch> Run::next_round() const {
+  std::vector<Stretch> round;
+  const std::vector<std::uint64_t> all_looks = looks(*study_.stop, assignment_.block_trials);
+  for (std::size_t place = 0; place < assignment_.cells.size(); ++place) {
+    const std::size_t cell = assignment_.cells[place];
+    const auto extent = writer_.extent(cell, assignment_.methods);
+    const auto next = std::ranges::upper_bound(all_looks, extent.unbroken);
+    if (next == all_looks.end()) continue;
+    // Blocks beyond a look say that it was not enough.
+    const bool at_look = next != all_looks.begin() && *std::prev(next) == extent.unbroken && extent.end == extent.unbroken;
+    if (at_look && is_enough(cell)) continue;
+    round.push_back({place, extent.unbroken, *next});
+  }
+  return round;
+}
+
 }  // namespace
 
 RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment,
                      const std::filesystem::path& output, int threads, results::Provenance provenance,
                      RunProgress& progress, const std::atomic<bool>& stop) {
-  results::ResultWriter writer(output, plan.header);
-  const Experiment& experiment = *study.experiment;
-  const std::uint64_t blocks_per_cell = assignment.blocks_per_cell();
-  const std::uint64_t tasks_per_cell = (blocks_per_cell + blocks_per_task - 1) / blocks_per_task;
-  const std::uint64_t tasks = tasks_per_cell * assignment.cells.size();
-  std::atomic<std::uint64_t> found{0};
-  std::atomic<std::uint64_t> computed{0};
-
+  using Totals = results::ResultWriter::Totals;
+  results::ResultWriter writer(output, plan.header, study.stop ? Totals::Kept : Totals::Dropped);
+  Assignment own = assignment;
+  if (study.stop) own.trials = looks(*study.stop, own.block_trials).back() * own.block_trials;
+  Run run(study, plan, own, writer, progress, stop);
   const auto begin = std::chrono::steady_clock::now();
-  tbb::enumerable_thread_specific<std::unique_ptr<Workspace>> workspaces(
-      [&] { return experiment.make_workspace(plan.isa); });
-  const auto run_task = [&](std::uint64_t task) {
-    const std::size_t place = task / tasks_per_cell;
-    const Cell& cell = plan.cells[assignment.cells[place]];
-    const std::uint64_t first = task % tasks_per_cell * blocks_per_task;
-    const std::uint64_t end = std::min(first + blocks_per_task, blocks_per_cell);
-    std::vector<results::BlockSink> sinks;
-    for (std::uint64_t block = first; block < end && !stop.load(std::memory_order_relaxed); ++block) {
-      if (!assignment.contains(place, block)) continue;
-      const TrialRange range = assignment.range(block);
-      const auto missing = writer.missing_methods(cell.index, block, range.count, assignment.methods);
-      if (missing.empty()) {
-        found.fetch_add(1, std::memory_order_relaxed);
-      } else {
-        BlockWork work = block_work(study, plan.header, missing);
-        results::BlockSink& sink =
-            sinks.emplace_back(plan.header, cell.index, block, range.count, std::move(work.wanted));
-        experiment.run_block({study.seed, study.audit}, cell, work.methods, range, *workspaces.local(), sink);
-        computed.fetch_add(1, std::memory_order_relaxed);
-        progress.trials_done.fetch_add(range.count, std::memory_order_relaxed);
-      }
-      progress.blocks_done.fetch_add(1, std::memory_order_relaxed);
-    }
-    if (!sinks.empty()) writer.add(std::move(sinks));
-  };
-
   // The arena sets how many threads this run uses; the control lets it exceed the number of processors.
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
+  std::uint64_t blocks = 0;
+  const auto compute = [&](const std::vector<Stretch>& stretches, std::uint64_t more) {
+    blocks += more;
+    progress.blocks_total = blocks;
+    run.compute(stretches);
+  };
   arena.execute([&] {
-    tbb::task_group_context context;
-    tbb::parallel_for(
-        tbb::blocked_range<std::uint64_t>(0, tasks, 1),
-        [&](const tbb::blocked_range<std::uint64_t>& range) {
-          // Without this a stop would still visit every task there is, and there may be billions.
-          if (stop.load(std::memory_order_relaxed)) context.cancel_group_execution();
-          for (std::uint64_t task = range.begin(); task != range.end(); ++task) run_task(task);
-        },
-        tbb::simple_partitioner{}, context);
+    if (!study.stop) return compute(run.everything(), own.blocks());
+    for (auto round = run.present(); !round.empty() && !stop.load(); round = run.next_round()) {
+      std::uint64_t more = 0;
+      for (const Stretch& stretch : round) more += stretch.end - stretch.first;
+      compute(round, more);
+    }
   });
 
-  RunOutcome outcome{false, false, found.load(), computed.load(), writer.warnings()};
-  if (outcome.blocks_found + outcome.blocks_run < assignment.blocks()) {
+  RunOutcome outcome{false, false, run.blocks_found(), run.blocks_run(), writer.warnings()};
+  if (outcome.blocks_found + outcome.blocks_run < blocks || (study.stop && stop.load())) {
     writer.flush();
     return outcome;
   }

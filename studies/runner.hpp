@@ -15,6 +15,7 @@ namespace ridgeloc::studies {
 
 /// How far a run is. Written by the workers, read by whoever shows it; atomics alone, no lock.
 struct RunProgress {
+  std::atomic<std::uint64_t> blocks_total{0};  ///< as far as is known: a stop rule decides on the way
   std::atomic<std::uint64_t> blocks_done{0};  ///< blocks of this run and those found finished
   std::atomic<std::uint64_t> trials_done{0};  ///< trials of this run
 };
@@ -28,7 +29,9 @@ struct RunOutcome {
 };
 
 /// Computes every block of an assignment that the result does not have yet, for the methods that lack it, on `threads`
-/// threads, and seals the result with all that it has.
+/// threads, and seals the result with all that it has. A stop rule is applied in rounds: cells that are not known well
+/// enough go on to their next look, which depends on their own trials alone, so that neither threads nor interruptions
+/// change where a cell ends.
 ///
 /// Blocks are independent tasks; what a block holds does not depend on the number of threads or on the order. When
 /// `stop` becomes true, running blocks end, are kept, and the result stays as it was. `provenance` carries what the

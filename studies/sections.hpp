@@ -22,6 +22,9 @@ void read_methods(const toml::table& document, const std::string& origin, Study&
 /// [[compare]], or each method against the first. Needs the methods.
 void read_comparisons(const toml::table& document, Study& study);
 
+/// [stop]. Needs the methods and comparisons.
+void read_stop(const toml::table& document, Study& study);
+
 /// [[figure]]. Needs sweep, methods and comparisons.
 void read_figures(const toml::table& document, Study& study);
 

@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "results/schema.hpp"
 #include "studies/experiment.hpp"
+#include "studies/stop_rule.hpp"
 #include "studies/value.hpp"
 
 namespace ridgeloc::studies {
@@ -36,6 +38,7 @@ struct Study {
   std::vector<Method> methods;
   std::vector<Comparison> comparisons;
   std::vector<results::FigureSpec> figures;
+  std::optional<StopRule> stop;  ///< without one every cell gets `trials`
 };
 
 /// Bounds of the settings that every study has.

@@ -136,7 +136,7 @@ Study read_study(const StudySource& source, std::span<const std::string> overrid
   study.experiment = &read_experiment(document, source.origin);
 
   std::vector<std::string> allowed = {"title", "experiment", "seed",   "trials", "audit",
-                                      "store", "sweep",      "method", "compare", "figure"};
+                                      "store", "sweep",      "method", "compare", "stop", "figure"};
   const auto sections = section_names(*study.experiment);
   allowed.insert(allowed.end(), sections.begin(), sections.end());
   check_keys(document, "the study", allowed);
@@ -166,6 +166,7 @@ Study read_study(const StudySource& source, std::span<const std::string> overrid
   check_conditions(document, source.origin, study);
   read_methods(document, source.origin, study);
   read_comparisons(document, study);
+  read_stop(document, study);
   read_figures(document, study);
   return study;
 }

@@ -60,6 +60,13 @@ void write_figure(const results::FigureSpec& figure, std::string& out) {
   if (figure.log_y) out += "log_y = true\n";
 }
 
+void write_stop(const StopRule& rule, std::string& out) {
+  out += fmt::format("\n[stop]\nmetric = {}\nstatistic = {}\n", quoted(rule.metric), quoted(rule.statistic));
+  if (!rule.methods.empty()) out += fmt::format("methods = {}\n", quoted_list(rule.methods));
+  out += fmt::format("{} = {}\nmin_trials = {}\nmax_trials = {}\n", rule.is_relative ? "relative" : "target",
+                     to_toml(Value(rule.target)), rule.min_trials, rule.max_trials);
+}
+
 /// Calls `line` for every setting, with a section heading whenever the section changes.
 template <class F>
 void for_each_setting(const Experiment& experiment, std::string& out, F&& line) {
@@ -93,6 +100,7 @@ std::string resolved_toml(const Study& study) {
   }
   for (const Comparison& comparison : study.comparisons)
     out += fmt::format("\n[[compare]]\nmethod = {}\nwith = {}\n", quoted(comparison[0]), quoted(comparison[1]));
+  if (study.stop) write_stop(*study.stop, out);
   for (const results::FigureSpec& figure : study.figures) write_figure(figure, out);
   return out;
 }

@@ -58,7 +58,7 @@ TEST_CASE("a narrower study adds to a result what it lacks and loses nothing of 
   CHECK(contains(other.error, "has 1 cell and 1 method besides those asked for; they stay"));
   const Outcome verified = folder.ridgeloc("verify s.h5 --blocks 100");
   CHECK(verified.exit_code == 0);
-  CHECK(contains(verified.out, "incomplete: 2 of 12 pairs"));  // lm with 3 points, ols with 4
+  CHECK(contains(verified.out, "incomplete: 2 of 3 cells"));  // lm with 3 points, ols with 4
   // The whole of both studies has what is missing.
   folder.write("all.toml", results::read_result_header(folder.path() / "s.h5").study_toml);
   CHECK(folder.ridgeloc("run all.toml -o s.h5").exit_code == 0);
@@ -85,7 +85,7 @@ TEST_CASE("shares are merged to the whole; parts of it are results too") {
       folder.ridgeloc("merge s.shard-2-of-3.h5 s.shard-3-of-3.h5 s.shard-1-of-3.h5 s.shard-2-of-3.h5 -o all.h5");
   CHECK(merged.exit_code == 0);
   CHECK(merged.out == "all.h5\n");
-  CHECK(contains(merged.error, "complete: 6 pairs"));
+  CHECK(contains(merged.error, "complete: 2 cells"));
   CHECK(folder.digest("all.h5") == folder.digest("s.h5"));
   CHECK(contains(folder.ridgeloc("summary s.shard-1-of-3.h5").out, "incomplete: "));
   // Going on from a share computes the others.
@@ -121,7 +121,7 @@ TEST_CASE("a time limit and SIGUSR1 stop a run and keep what is finished") {
   CHECK(folder.has("s.h5.parts"));
   // Fewer trials are enough after all; what is there beyond them stays.
   CHECK(folder.ridgeloc("run s.toml --trials 5000").exit_code == 0);
-  CHECK(contains(folder.ridgeloc("verify s.h5").out, "complete: 6 pairs of cell and method with 5000 trials each"));
+  CHECK(contains(folder.ridgeloc("verify s.h5").out, "complete: 2 cells with 5000 trials each"));
   const Outcome signalled = folder.shell("timeout -s USR1 -k 20 1 '" RIDGELOC_PROGRAM "' run s.toml --trials 1e10");
   CHECK(signalled.exit_code == 124);  // timeout's own
   CHECK(contains(signalled.error, "stopped;"));
@@ -143,7 +143,7 @@ TEST_CASE("verify recomputes blocks, tells a result of other numbers, and prints
   REQUIRE(folder.ridgeloc("run s.toml").exit_code == 0);
   const Outcome good = folder.ridgeloc("verify s.h5 --blocks 4 --seed 1");
   CHECK(good.exit_code == 0);
-  CHECK(contains(good.out, "complete: 6 pairs of cell and method with 9000 trials each"));
+  CHECK(contains(good.out, "complete: 2 cells with 9000 trials each"));
   CHECK(contains(good.out, "4 of 4 computed again"));
   CHECK(folder.ridgeloc("verify s.h5 --digest").out == folder.digest("s.h5") + "\n");
 
@@ -153,4 +153,20 @@ TEST_CASE("verify recomputes blocks, tells a result of other numbers, and prints
   CHECK(folder.ridgeloc("export s.h5 --failures --trials").exit_code == 2);
   CHECK(folder.ridgeloc("verify s.toml").exit_code == 2);
   CHECK(folder.ridgeloc("verify missing.h5").exit_code == 2);
+}
+
+TEST_CASE("compare says whether two results of one study agree") {
+  const WithStudy folder;
+  for (const char* run : {"-o a.h5", "-o b.h5 --seed 7", "-o c.h5 --set scene.depth_m=[1,2]", "-o d.h5 --threads 1"})
+    REQUIRE(folder.ridgeloc(std::string("run s.toml ") + run).exit_code == 0);
+  const Outcome other_seed = folder.ridgeloc("compare a.h5 b.h5");
+  CHECK(other_seed.exit_code == 0);
+  CHECK(contains(other_seed.out, "agree: "));
+  const Outcome same = folder.ridgeloc("compare a.h5 d.h5");
+  CHECK(same.exit_code == 0);
+  CHECK(contains(same.out, "equal: both hold the same numbers, bit for bit"));
+  const Outcome other = folder.ridgeloc("compare a.h5 c.h5");
+  CHECK(other.exit_code == 2);
+  CHECK(is_one_line(other.error));
+  CHECK(contains(other.error, "depth_m is [1.0, 10.0], not [1.0, 2.0]"));
 }

@@ -126,8 +126,8 @@ TEST_CASE("audit solves failed trials again and changes nothing") {
 TEST_CASE("export writes the long form, a row per cell, method and metric") {
   const WithResult folder;
   const auto lines = lines_of(folder.ridgeloc("export result.h5 --csv").out);
-  // 4 cells; rrr: 9 metrics, 6 of the audit and 6 events, lm: 6 (no K), 6 and 6, scene: 3.
-  REQUIRE(lines.size() == 1 + 4 * (21 + 18 + 3));
+  // 4 cells; rrr: 9 metrics, 6 of the audit and 6 events, lm: 6 (no K), 6 and 6, scene: 3, lm - rrr: 4.
+  REQUIRE(lines.size() == 1 + 4 * (21 + 18 + 3 + 4));
   CHECK(lines[0].starts_with(
       "points,range_sigma_m,method,metric,unit,n,mean,mcse,sd,min,p05,p25,p50,p75,p95,max,lo,hi,trusted"));
   CHECK(lines[1].starts_with("3,0.1,rrr,error_m,m,"));
@@ -175,8 +175,9 @@ TEST_CASE("help and version are on standard output") {
 
 TEST_CASE("a full disk under standard output is an I/O failure for every verb") {
   const WithResult folder;
-  for (const char* verb : {"export result.h5", "export result.h5 --trials", "summary result.h5", "audit result.h5",
-                           "list", "plan fig3a", "plot result.h5", "run study.toml -o again.h5", "new ranging"}) {
+  for (const char* verb :
+       {"export result.h5", "replay result.h5 --cell 0 --trial 1", "export result.h5 --trials", "summary result.h5",
+        "audit result.h5", "list", "plan fig3a", "plot result.h5", "run study.toml -o again.h5", "new ranging"}) {
     INFO(verb);
     const auto outcome = folder.shell(std::string("'" RIDGELOC_PROGRAM "' ") + verb + " 2>messages > /dev/full");
     CHECK(outcome.exit_code == 3);

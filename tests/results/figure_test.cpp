@@ -137,7 +137,7 @@ TEST_CASE("unknown names are refused with the nearest valid ones") {
   CHECK(with([](FigureSpec& s) { s.group = {"methods"}; }).find("valid names: method, ") != std::string::npos);
   CHECK(with([](FigureSpec& s) { s.facet = "range_sigma"; }).find("valid names: range_sigma_m, ") != std::string::npos);
   CHECK(with([](FigureSpec& s) { s.methods = {"rrrr"}; }).find("valid names: rrr, rr") != std::string::npos);
-  CHECK(with([](FigureSpec& s) { s.statistic = "meen"; }).find("valid names: mean, median") != std::string::npos);
+  CHECK(with([](FigureSpec& s) { s.statistic = "meen"; }).find("valid names: mean, median, rms") != std::string::npos);
   CHECK(with([](FigureSpec& s) { s.y.clear(); }) == "figure 'errors': y names no metric");
 }
 

@@ -108,3 +108,20 @@ TEST_CASE("quantile interval of a small sample ends with the sample, and is infi
 }
 
 }  // namespace
+
+TEST_CASE("the root mean square and its error are those of the squares themselves") {
+  const std::vector<double> values = {-3.0, 0.5, 1.0, 2.5, 7.0, 7.5, -0.25, 4.0};
+  std::vector<double> squares;
+  for (const double v : values) squares.push_back(v * v);
+  const Moments moments = moments_of(values);
+  const Moments square = moments_of(squares);
+  const double rms = std::sqrt(square.mean);
+  CHECK(root_mean_square(moments) == Approx(rms).epsilon(1e-14));
+  CHECK(root_mean_square_error(moments) == Approx(mean_standard_error(square) / (2.0 * rms)).epsilon(1e-13));
+  const Interval interval = root_mean_square_interval(moments);
+  CHECK(interval.lo * interval.lo == Approx(std::max(mean_interval(square).lo, 0.0)).epsilon(1e-13));
+  CHECK(interval.hi * interval.hi == Approx(mean_interval(square).hi).epsilon(1e-13));
+  CHECK(root_mean_square_error(moments_of(std::vector<double>{0.0, 0.0})) == 0.0);
+  CHECK(std::isnan(root_mean_square(Moments{})));
+  CHECK(std::isnan(root_mean_square_interval(moments_of(std::vector<double>{1.0})).lo));
+}

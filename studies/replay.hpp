@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "results/data_table.hpp"
+#include "results/drawing.hpp"
+
+namespace ridgeloc::studies {
+
+/// What one method made of a trial.
+struct ReplayedMethod {
+  std::string label;
+  std::string solver;
+  std::vector<results::DataTable> tables;  ///< its iterations, how it ended, and what else there is to compare
+};
+
+/// One trial told in full.
+struct Replay {
+  std::vector<results::DataTable> scene;  ///< what was simulated
+  std::vector<ReplayedMethod> methods;    ///< in the order asked for
+  results::Drawing drawing;               ///< without a title
+};
+
+}  // namespace ridgeloc::studies

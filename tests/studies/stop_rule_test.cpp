@@ -1,0 +1,154 @@
+#include "studies/stop_rule.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <filesystem>
+#include <thread>
+
+#include "catch.hpp"
+#include "core/error.hpp"
+#include "results/result_file.hpp"
+#include "studies/runner.hpp"
+#include "studies/study_reader.hpp"
+#include "studies/study_writer.hpp"
+
+using namespace ridgeloc;
+using namespace ridgeloc::studies;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string head = R"(
+experiment = "ranging"
+trials = 4000
+[sweep]
+points = [4, 7]
+range_sigma_m = [0.1, 0.5]
+[[method]]
+solver = "rr"
+[[method]]
+solver = "rrr"
+[stop]
+)";
+
+Study study(const std::string& stop) {
+  return read_study({"s", "s.toml", head + stop});
+}
+
+std::string refusal(const std::string& stop) {
+  try {
+    study(stop);
+  } catch (const core::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// A result file that goes with the object.
+struct File {
+  fs::path path = fs::temp_directory_path() / ("ridgeloc-stop-test-" + std::to_string(::getpid()) + ".h5");
+  File() { remove(); }
+  ~File() { remove(); }
+  void remove() const {
+    fs::remove(path);
+    fs::remove_all(path.string() + ".parts");
+  }
+};
+
+RunOutcome run(const Study& s, const fs::path& output, int threads, const std::atomic<bool>& stop,
+               RunProgress& progress) {
+  const Plan plan = make_plan(s);
+  return run_study(s, plan, everything(plan), output, threads, {}, progress, stop);
+}
+
+const std::string precise = "metric = \"error_all_m\"\nmethods = \"rrr\"\nrelative = 0.02\nmax_trials = 400000\n";
+
+}  // namespace
+
+TEST_CASE("looks begin at the smallest number of trials, grow by 19 % or a block, and end at the largest") {
+  StopRule rule;
+  rule.min_trials = 5000;
+  rule.max_trials = 100'000;
+  CHECK(looks(rule, 4096) == std::vector<std::uint64_t>{2, 3, 4, 5, 6, 8, 10, 12, 15, 18, 22, 25});
+  rule.max_trials = 5000;
+  CHECK(looks(rule, 4096) == std::vector<std::uint64_t>{2});
+}
+
+TEST_CASE("every cell stops at the first look at which it is known well enough, the same for any threads") {
+  const Study s = study(precise);
+  const File file;
+  const std::atomic<bool> never{false};
+  std::string digest;
+  for (const int threads : {1, 2, 5}) {
+    file.remove();
+    RunProgress progress;
+    CHECK(run(s, file.path, threads, never, progress).sealed);
+    const std::string now = results::data_digest(file.path);
+    CHECK((digest.empty() || digest == now));
+    digest = now;
+  }
+  const results::Summary summary = results::read_result(file.path);
+  const auto blocks = looks(*s.stop, 4096);
+  for (std::size_t cell = 0; cell < 4; ++cell) {
+    CAPTURE(cell);
+    const auto row = results::summary_row(summary.header, 1, summary.of(cell, 1), "error_all_m");
+    CHECK(row.mcse <= 0.02 * row.mean);
+    CHECK(row.trusted);
+    const std::uint64_t trials = summary.of(cell, 1).trials;
+    CHECK(trials % 4096 == 0);
+    CHECK(std::ranges::find(blocks, trials / 4096) != blocks.end());
+    CHECK(summary.of(cell, 0).trials == trials);
+  }
+  RunProgress progress;
+  CHECK(run(s, file.path, 1, never, progress).unchanged);
+}
+
+TEST_CASE("a stop rule that was interrupted ends in the same bytes") {
+  const Study s = study(precise);
+  const File file;
+  const std::atomic<bool> never{false};
+  RunProgress whole;
+  run(s, file.path, 2, never, whole);
+  const std::string digest = results::data_digest(file.path);
+  for (const std::uint64_t blocks : {1, 5, 9, 14}) {
+    CAPTURE(blocks);
+    file.remove();
+    std::atomic<bool> stop{false};
+    RunProgress progress;
+    std::jthread watcher([&](const std::stop_token& done) {
+      while (progress.blocks_done.load() < blocks && !done.stop_requested()) std::this_thread::yield();
+      stop.store(true);
+    });
+    run(s, file.path, 1, stop, progress);
+    watcher.request_stop();
+    watcher.join();
+    RunProgress rest;
+    CHECK(run(s, file.path, 2, never, rest).sealed);
+    CHECK(results::data_digest(file.path) == digest);
+  }
+}
+
+TEST_CASE("what cannot be reached ends at the largest number of trials") {
+  const Study s = study("metric = \"converged\"\ntarget = 1e-9\nmin_trials = 1\nmax_trials = 9000\n");
+  const File file;
+  const std::atomic<bool> never{false};
+  RunProgress progress;
+  run(s, file.path, 2, never, progress);
+  const results::Summary summary = results::read_result(file.path);
+  for (std::size_t cell = 0; cell < 4; ++cell) CHECK(summary.of(cell, 0).trials == 3 * 4096);
+}
+
+TEST_CASE("a stop rule is written and read again; its errors say what is allowed") {
+  const Study s = study(precise);
+  CHECK(resolved_toml(read_study({"s", "s.toml", resolved_toml(s)})) == resolved_toml(s));
+  CHECK(make_plan(s).header.study_hash == make_plan(read_study({"s", "s.toml", head.substr(0, head.size() - 7)})).header.study_hash);
+  CHECK(refusal("metric = \"error\"\ntarget = 1\nmax_trials = 9000\n").find("did you mean \"error_m\"") != std::string::npos);
+  CHECK(refusal("target = 1\nmax_trials = 9000\n").find("[stop] lacks metric") != std::string::npos);
+  CHECK(refusal("metric = \"error_m\"\nmax_trials = 9000\n").find("either target") != std::string::npos);
+  CHECK(refusal("metric = \"error_m\"\ntarget = 1\nrelative = 1\nmax_trials = 9000\n").find("either target") != std::string::npos);
+  CHECK(refusal("metric = \"error_m\"\ntarget = 0\nmax_trials = 9000\n").find("stop.target = 0 is not allowed") != std::string::npos);
+  CHECK(refusal("metric = \"error_m\"\ntarget = 1\n").find("[stop] lacks max_trials") != std::string::npos);
+  CHECK(refusal("metric = \"error_m\"\ntarget = 1\nmax_trials = 3999\n").find("from 4000") != std::string::npos);
+  CHECK(refusal("metric = \"error_m\"\ntarget = 1\nmax_trials = 9000\nmethods = \"ols\"\n").find("methods") != std::string::npos);
+}
