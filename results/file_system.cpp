@@ -69,6 +69,15 @@ void require_writable(const fs::path& file) {
   ::unlink(probe.c_str());
 }
 
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directory(folder, error);
+  if (error)
+    throw core::InputError(
+        fmt::format("cannot create the folder {}: {}; choose another -o", folder.string(), error.message()));
+  synchronize(folder_of(folder));
+}
+
 TemporaryFile::TemporaryFile(fs::path final_path)
     : final_(std::move(final_path)),
       temporary_(fmt::format("{}.{}{}", final_.string(), ::getpid(), temporary_suffix)) {}
@@ -131,11 +140,7 @@ FolderLock::FolderLock(const fs::path& folder) {
                       locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
     if (same) return;
     ::close(descriptor_);
-    std::error_code error;
-    fs::create_directory(folder, error);
-    if (error)
-      throw core::InputError(
-          fmt::format("cannot create the folder {}: {}; choose another -o", folder.string(), error.message()));
+    make_folder(folder);
   }
 }
 
