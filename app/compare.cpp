@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/continuation.hpp"
 #include "app/exit_code.hpp"
+#include "app/result_probe.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
 #include "results/agreement.hpp"
@@ -34,10 +36,13 @@ void require_comparable(const CompareOptions& options, const results::Header& fi
 }  // namespace
 
 int compare(const CompareOptions& options) {
-  const results::Summary first = results::read_result(options.first);
-  const results::Summary second = results::read_result(options.second);
+  const auto read = [](const std::string& path) {
+    return read_probed(path, [&] { return std::pair(results::data_digest(path), results::read_result(path)); });
+  };
+  const auto [first_digest, first] = read(options.first);
+  const auto [second_digest, second] = read(options.second);
   require_comparable(options, first.header, second.header);
-  if (results::data_digest(options.first) == results::data_digest(options.second)) {
+  if (first_digest == second_digest) {
     fmt::print("equal: both hold the same numbers, bit for bit\n");
     return Success;
   }

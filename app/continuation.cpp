@@ -9,7 +9,9 @@
 
 #include "app/instruction_set.hpp"
 #include "app/output.hpp"
+#include "app/result_probe.hpp"
 #include "core/error.hpp"
+#include "results/result_file.hpp"
 #include "results/result_writer.hpp"
 #include "studies/study_reader.hpp"
 #include "studies/union.hpp"
@@ -40,10 +42,10 @@ core::Isa isa_of(const std::string& asked, const std::vector<results::Header>& h
 
 void require_same_study(const results::Header& found, const std::string& path, const studies::Study& study) {
   if (found.experiment == study.experiment->name() && found.experiment_version != study.experiment->version()) {
-    throw core::InputError(
-        fmt::format("{}: was computed by version {} of the experiment {}, this program has {}; choose another -o, or go "
-                    "on with the program that began",
-                    path, found.experiment_version, found.experiment, study.experiment->version()));
+    throw core::InputError(fmt::format(
+        "{}: was computed by version {} of the experiment {}, this program has {}; choose another -o, or go "
+        "on with the program that began",
+        path, found.experiment_version, found.experiment, study.experiment->version()));
   }
   std::vector<std::string> texts = studies::differences(study_of(found, path), study);
   if (texts.empty()) return;
@@ -67,12 +69,13 @@ Job continued(studies::Study study, const std::filesystem::path& output, const s
         study.name));
   }
   const std::string path = output.string();
+  const bool has_result = path_exists(output);
+  if (has_result) probe(path, [&] { results::read_completely(path); });
   const std::vector<results::Header> headers = results::headers_at(output);
   Job job;
   job.output = output;
   job.study = study;
   std::set<std::string> seen;
-  const bool has_result = path_exists(output);
   for (std::size_t i = 0; i < headers.size(); ++i) {
     if (!seen.insert(headers[i].study_toml).second) continue;
     require_same_study(headers[i], path, study);

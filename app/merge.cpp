@@ -11,6 +11,7 @@
 #include "app/build_info.hpp"
 #include "app/continuation.hpp"
 #include "app/exit_code.hpp"
+#include "app/result_probe.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
 #include "results/completeness.hpp"
@@ -28,11 +29,14 @@ struct Input {
   results::Header header;
 };
 
-/// The inputs in an order that does not depend on that of the command line: the widest study first, which gives the title
-/// and the figures.
+/// The inputs in an order that does not depend on that of the command line: the widest study first, which gives the
+/// title and the figures.
 std::vector<Input> read_inputs(const std::vector<std::string>& paths) {
   std::vector<Input> inputs;
-  for (const std::string& path : paths) inputs.push_back({path, results::read_result_header(path)});
+  for (const std::string& path : paths) {
+    probe(path, [&] { results::read_completely(path); });
+    inputs.push_back({path, results::read_result_header(path)});
+  }
   std::ranges::stable_sort(inputs, [](const Input& a, const Input& b) {
     const auto rank = [](const results::Header& h) {
       return std::tuple(-static_cast<double>(h.cells.size() * h.methods.size()), -static_cast<double>(h.trials));

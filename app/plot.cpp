@@ -7,6 +7,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/output.hpp"
+#include "app/result_probe.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
 #include "results/figure.hpp"
@@ -40,7 +41,7 @@ std::vector<results::FigureSpec> chosen_figures(const results::Header& header, c
 }  // namespace
 
 int plot(const PlotOptions& options) {
-  const results::Summary summary = results::read_result(options.result);
+  const results::Summary summary = read_probed(options.result, [&] { return results::read_result(options.result); });
   const auto figures = chosen_figures(summary.header, options);
   const fs::path output(options.output);
   std::error_code unknown;

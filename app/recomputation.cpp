@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "app/result_probe.hpp"
 #include "core/error.hpp"
 #include "core/isa.hpp"
 #include "results/result_file.hpp"
@@ -12,7 +13,7 @@
 namespace ridgeloc::app {
 
 Recomputation recomputation_of(const std::string& result) {
-  results::Header header = results::read_result_header(result);
+  results::Header header = read_probed(result, [&] { return results::read_result_header(result); });
   const auto isa = core::find_isa(header.isa);
   if (!isa || !core::is_supported(*isa)) {
     throw core::InputError(

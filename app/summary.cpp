@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/exit_code.hpp"
+#include "app/result_probe.hpp"
 #include "app/verbs.hpp"
 #include "results/result_file.hpp"
 
@@ -10,7 +11,8 @@ namespace ridgeloc::app {
 
 int summary(const SummaryOptions& options) {
   for (const std::string& path : options.results) {
-    fmt::print("{}", results::summary_table(results::read_result(path)));
+    const results::Summary summary = read_probed(path, [&] { return results::read_result(path); });
+    fmt::print("{}", results::summary_table(summary));
   }
   return Success;
 }

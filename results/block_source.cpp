@@ -30,9 +30,11 @@ Numbers numbers_of(const std::vector<Info>& found, const std::vector<Info>& want
 }
 
 const std::vector<std::size_t>& at(const Numbers& numbers, std::size_t number, const fs::path& path, const char* what) {
+  if (number >= numbers.size())
+    throw core::IoError(fmt::format("{} is damaged: it names an unknown {}", path.string(), what));
   if (numbers[number].empty())
-    throw core::InputError(fmt::format("{} holds a {} that the study has not; add it to the study, or choose another -o",
-                                       path.string(), what));
+    throw core::InputError(fmt::format(
+        "{} holds a {} that the study has not; add it to the study, or choose another -o", path.string(), what));
   return numbers[number];
 }
 

@@ -59,13 +59,23 @@ void require_writable(const fs::path& file) {
         fmt::format("cannot write {}: {} is not a folder; choose another -o", file.string(), folder.string()));
 
   // Only an attempt tells the truth about permissions, read-only mounts and quotas.
-  std::string probe = (folder / fmt::format(".{}.XXXXXX", file.filename().string())).string();
-  const int descriptor = ::mkstemp(probe.data());
+  // Its name is that of a temporary: what a killed program leaves of it is removed like one.
+  std::string probe = fmt::format("{}.XXXXXX{}", file.string(), temporary_suffix);
+  const int descriptor = ::mkstemps(probe.data(), static_cast<int>(std::string_view(temporary_suffix).size()));
   if (descriptor < 0)
     throw core::InputError(fmt::format("cannot write {}: {}; make the folder {} writable or choose another -o",
                                        file.string(), reason(errno), folder.string()));
   ::close(descriptor);
   ::unlink(probe.c_str());
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directory(folder, error);
+  if (error)
+    throw core::InputError(
+        fmt::format("cannot create the folder {}: {}; choose another -o", folder.string(), error.message()));
+  synchronize(folder_of(folder));
 }
 
 TemporaryFile::TemporaryFile(fs::path final_path)
@@ -130,11 +140,7 @@ FolderLock::FolderLock(const fs::path& folder) {
                       locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
     if (same) return;
     ::close(descriptor_);
-    std::error_code error;
-    fs::create_directory(folder, error);
-    if (error)
-      throw core::InputError(
-          fmt::format("cannot create the folder {}: {}; choose another -o", folder.string(), error.message()));
+    make_folder(folder);
   }
 }
 

@@ -8,6 +8,10 @@ namespace ridgeloc::results {
 /// Throws core::InputError that says why not and what to do.
 void require_writable(const std::filesystem::path& file);
 
+/// Makes a folder, unless it is there, and its name durable: what files in it are worth depends on that.
+/// Throws core::InputError.
+void make_folder(const std::filesystem::path& folder);
+
 /// Throws core::InputError if a file of this name is HDF5: a result is hours of work, and a table or a picture is not
 /// to replace it.
 void refuse_to_replace_result(const std::filesystem::path& file);

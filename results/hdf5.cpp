@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 // Values are hashed as they lie in memory and compared with their little-endian form in files.
 static_assert(std::endian::native == std::endian::little, "the result store assumes a little-endian machine");
 
-/// Deflate cannot shrink data by more than this factor (zlib's technical notes), so that an extent which
-/// would need more is damage, and is refused before memory is asked for.
+/// Deflate cannot shrink data by more than this factor (zlib's technical notes): an extent that would need more is
+/// damage, and is refused before memory is asked for.
 constexpr std::uint64_t largest_compression = 1032;
 /// Bytes that one variable-length string takes in a dataset: length, address of the heap, index.
 constexpr std::uint64_t text_reference_bytes = 16;
@@ -144,7 +144,9 @@ void File::create_group(const std::string& path) {
 bool File::contains(const std::string& path) const {
   // H5Lexists answers for the last link of a path alone: every link before it must exist.
   for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
-    if (H5Lexists(id_, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
+    const htri_t is_there = H5Lexists(id_, path.substr(0, end).c_str(), H5P_DEFAULT);
+    if (is_there < 0) fail("read", path_, path);
+    if (is_there == 0) return false;
     if (end == std::string::npos) return true;
   }
 }
@@ -188,17 +190,22 @@ Shape File::shape(const std::string& path) const {
   const Handle dataset{H5Dopen2(id_, path.c_str(), H5P_DEFAULT), H5Dclose, "read", path_, path};
   const Handle space{H5Dget_space(dataset), H5Sclose, "read", path_, path};
   const int rank = H5Sget_simple_extent_ndims(space);
+  const Handle creation{H5Dget_create_plist(dataset), H5Pclose, "read", path_, path};
+  const int filters = H5Pget_nfilters(creation);
   hsize_t file_bytes = 0;
-  if (rank < 0 || H5Fget_filesize(id_, &file_bytes) < 0) fail("read", path_, path);
+  if (rank < 0 || filters < 0 || H5Fget_filesize(id_, &file_bytes) < 0) fail("read", path_, path);
   std::vector<hsize_t> extent(static_cast<std::size_t>(rank));
   if (H5Sget_simple_extent_dims(space, extent.data(), nullptr) < 0) fail("read", path_, path);
 
-  std::uint64_t room = file_bytes * largest_compression / size_of(type(path));
+  const std::uint64_t stored_bytes = std::min<std::uint64_t>(file_bytes, H5Dget_storage_size(dataset));
+  std::uint64_t room = stored_bytes * (filters > 0 ? largest_compression : 1) / size_of(type(path));
+  const bool is_empty = std::ranges::count(extent, 0) > 0;
   for (const hsize_t size : extent) {
+    if (is_empty) break;
     if (size > room)
       throw core::IoError(fmt::format("cannot read {} in {}: the file is too small for its size of {}; it is damaged",
                                       path, path_.string(), fmt::join(extent, " x ")));
-    if (size > 0) room /= size;
+    room /= size;
   }
   return {extent.begin(), extent.end()};
 }

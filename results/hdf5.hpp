@@ -62,6 +62,7 @@ class File {
   const std::filesystem::path& path() const { return path_; }
 
   void create_group(const std::string& path);
+  /// Throws core::IoError if the file is too damaged to tell.
   bool contains(const std::string& path) const;
 
   /// Writes a dataset; without a shape it has one dimension. Precondition: the product of `shape` is
@@ -74,7 +75,7 @@ class File {
   }
   void write(const std::string& path, const std::vector<std::string>& values);
 
-  /// Size per dimension, refused when the file is too small to hold that many values.
+  /// Size per dimension, refused when what the file stores of the dataset is too small for that many values.
   Shape shape(const std::string& path) const;
   Type type(const std::string& path) const;
 
@@ -121,6 +122,10 @@ class File {
   std::string written_digest(Extent extent = Extent::All) const;
   std::string content_digest(Extent extent = Extent::All) const;
 
+  /// The same over all attributes in the file that `write_attribute` makes, but those of the root whose names end in
+  /// "_sha256", and those below /trials.
+  std::string attributes_digest() const;
+
  private:
   File(std::filesystem::path path, std::int64_t id) : path_(std::move(path)), id_(id) {}
 
@@ -129,6 +134,8 @@ class File {
   void write_values(const std::string& path, Type type, const void* values, const Shape& shape, Layout layout);
   void read_values(const std::string& path, Type type, void* values, std::uint64_t first, std::uint64_t count) const;
   void record(const std::string& path, Type type, const Shape& shape, const std::string& digest);
+  /// Line of the digest's text; empty for an attribute of another type than `write_attribute` makes.
+  std::string attribute_line(const std::string& object, const std::string& name) const;
 
   std::filesystem::path path_;
   std::int64_t id_ = -1;

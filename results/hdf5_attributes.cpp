@@ -100,7 +100,9 @@ std::vector<std::string> File::attribute_names(const std::string& object) const 
 }
 
 bool File::has_attribute(const std::string& object, const std::string& name) const {
-  return H5Aexists_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+  const htri_t is_there = H5Aexists_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT);
+  if (is_there < 0) fail("read", path_, Place{id_, path_, object, name}.words());
+  return is_there > 0;
 }
 
 std::vector<std::string> File::texts_attribute(const std::string& object, const std::string& name) const {
@@ -124,6 +126,15 @@ std::vector<std::uint64_t> File::numbers_attribute(const std::string& object, co
   return values;
 }
 
+double File::real_attribute(const std::string& object, const std::string& name) const {
+  const Place place{id_, path_, object, name};
+  const Handle attribute = open_attribute(place);
+  double value = 0.0;
+  if (checked_size(place, attribute, H5T_FLOAT) != 1 || H5Aread(attribute, H5T_IEEE_F64LE, &value) < 0)
+    fail("read", path_, place.words());
+  return value;
+}
+
 std::string File::text_attribute(const std::string& object, const std::string& name) const {
   const std::vector<std::string> values = texts_attribute(object, name);
   return values.empty() ? std::string() : values.front();
@@ -132,15 +143,6 @@ std::string File::text_attribute(const std::string& object, const std::string& n
 std::uint64_t File::number_attribute(const std::string& object, const std::string& name) const {
   const std::vector<std::uint64_t> values = numbers_attribute(object, name);
   return values.empty() ? 0 : values.front();
-}
-
-double File::real_attribute(const std::string& object, const std::string& name) const {
-  const Place place{id_, path_, object, name};
-  const Handle attribute = open_attribute(place);
-  double value = 0.0;
-  if (checked_size(place, attribute, H5T_FLOAT) != 1 || H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0)
-    fail("read", path_, place.words());
-  return value;
 }
 
 void File::make_scale(const std::string& scale, const std::string& name) {

@@ -100,10 +100,14 @@ std::vector<StoredColumns> read_stored(const hdf5::File& file, std::size_t metri
   const auto trials = file.read<std::uint64_t>("/columns/trials");
   const auto has_status = file.read<std::uint8_t>("/columns/has_status");
   const auto has_metric = file.read<std::uint8_t>("/columns/has_metric");
+  const std::size_t size = cell.size();
+  if (method.size() != size || block.size() != size || trials.size() != size || has_status.size() != size ||
+      has_metric.size() != size * metrics)
+    throw damaged(file.path(), "the datasets of /columns differ in length");
   std::vector<StoredColumns> list;
   std::uint64_t status_offset = 0;
   std::uint64_t value_offset = 0;
-  for (std::size_t i = 0; i < cell.size(); ++i) {
+  for (std::size_t i = 0; i < size; ++i) {
     const auto flags = has_metric.begin() + static_cast<std::ptrdiff_t>(i * metrics);
     StoredColumns stored{cell[i],
                          method[i],

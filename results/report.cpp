@@ -102,7 +102,7 @@ ReportSource read_report_source(const std::string& path) {
   source.rows = summary_rows(source.summary);
   source.failures = read_result_failures(path);
   source.provenance = read_provenance(path);
-  source.digest = sealed_digest(path);
+  source.digest = data_digest(path);
   source.worst_metric = leading_metric(source.summary.header.schema);
   source.worst = worst_trials(source);
   return source;

@@ -4,8 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <fstream>
-
-#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "core/error.hpp"
@@ -28,6 +27,8 @@ hdf5::File open_result(const fs::path& path) {
   if (!fs::exists(path, error)) throw core::InputError(fmt::format("{} does not exist; check the path", name));
   if (fs::is_directory(path, error))
     throw core::InputError(fmt::format("{} is a folder; name a result file (.h5)", name));
+  if (!fs::is_regular_file(path, error))
+    throw core::InputError(fmt::format("{} is no regular file; name a result file (.h5)", name));
   if (!std::ifstream(path, std::ios::binary))
     throw core::InputError(fmt::format("{} cannot be read; check its permissions", name));
   if (!hdf5::is_hdf5(path))
@@ -43,10 +44,16 @@ hdf5::File open_result(const fs::path& path) {
   return file;
 }
 
-/// Compares everything but the single trials with the digest that was stored when the result was sealed.
-void verify_totals(const hdf5::File& file) {
-  if (file.content_digest(hdf5::File::Extent::Totals) != file.text_attribute("/", layout::totals_digest_attribute))
+/// Compares what the file holds with the digests that were stored when the result was sealed.
+void require_as_written(const hdf5::File& file, hdf5::File::Extent extent) {
+  const bool is_all = extent == hdf5::File::Extent::All;
+  const char* digest = is_all ? layout::digest_attribute : layout::totals_digest_attribute;
+  if (file.content_digest(extent) != file.text_attribute("/", digest))
     throw core::IoError("its numbers are not those that were written");
+  const bool has_attributes_digest = file.numbers_attribute("/", "version") >= std::vector<std::uint64_t>{1, 3};
+  if (has_attributes_digest &&
+      file.attributes_digest() != file.text_attribute("/", layout::attributes_digest_attribute))
+    throw core::IoError("its attributes are not those that were written");
 }
 
 /// Runs a reader on an opened result; what fails inside is damage, for which the file is to blame and not the
@@ -61,26 +68,39 @@ auto with_result(const fs::path& path, Read&& read) {
   }
 }
 
-std::vector<std::uint64_t> trial_numbers(const hdf5::File& file, const std::string& group, const Header& header) {
+/// The same, with the totals and attributes checked before.
+template <typename Read>
+auto with_checked_totals(const fs::path& path, Read&& read) {
+  return with_result(path, [&](const hdf5::File& file) {
+    require_as_written(file, hdf5::File::Extent::Totals);
+    return read(file);
+  });
+}
+
+/// Numbers of the trials of blocks which together have `trials` trials.
+std::vector<std::uint64_t> trial_numbers(const hdf5::File& file, const std::string& group, const Header& header,
+                                         std::size_t trials) {
   const auto blocks = file.read<std::uint64_t>(group + "/block");
   const auto counts = file.read<std::uint64_t>(group + "/block_trials");
   if (blocks.size() != counts.size()) throw core::IoError(fmt::format("the datasets of {} differ in length", group));
   std::vector<std::uint64_t> numbers;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    if (counts[b] > header.block_trials) throw core::IoError(fmt::format("{} has an impossible block", group));
+    if (counts[b] > header.block_trials || counts[b] > trials - numbers.size())
+      throw core::IoError(fmt::format("{} has an impossible block", group));
     for (std::uint64_t t = 0; t < counts[b]; ++t) numbers.push_back(blocks[b] * header.block_trials + t);
   }
+  if (numbers.size() != trials) throw core::IoError(fmt::format("{} has values of other trials", group));
   return numbers;
 }
 
+/// A column of trials, empty if it is not there; all of a table are equally long.
 template <typename T>
-std::vector<T> read_column(const hdf5::File& file, const std::string& path, std::size_t trials) {
-  std::vector<T> values;
-  if (file.contains(path)) {
-    values = file.read<T>(path);
-    if (values.size() != trials)
-      throw core::IoError(fmt::format("{} has {} values for {} trials", path, values.size(), trials));
-  }
+std::vector<T> read_column(const hdf5::File& file, const std::string& path, std::optional<std::size_t>& trials) {
+  if (!file.contains(path)) return {};
+  std::vector<T> values = file.read<T>(path);
+  if (values.size() != trials.value_or(values.size()))
+    throw core::IoError(fmt::format("{} has {} values for {} trials", path, values.size(), *trials));
+  trials = values.size();
   return values;
 }
 
@@ -93,11 +113,11 @@ TrialTable read_table(const hdf5::File& file, std::size_t cell, std::size_t meth
   table.metrics.resize(header.schema.metrics.size());
   const std::string group = layout::trials_group(cell, header.methods[method].label);
   if (!file.contains(group)) return table;
-  table.trial = trial_numbers(file, group, header);
-  table.status = read_column<std::uint8_t>(file, group + "/status", table.trial.size());
+  std::optional<std::size_t> trials;
+  table.status = read_column<std::uint8_t>(file, group + "/status", trials);
   for (std::size_t m = 0; m < table.metrics.size(); ++m)
-    table.metrics[m] =
-        read_column<double>(file, fmt::format("{}/{}", group, header.schema.metrics[m].name), table.trial.size());
+    table.metrics[m] = read_column<double>(file, fmt::format("{}/{}", group, header.schema.metrics[m].name), trials);
+  table.trial = trial_numbers(file, group, header, trials.value_or(0));
   return table;
 }
 
@@ -129,8 +149,7 @@ BlockSource read_result_blocks(const fs::path& path, const Header& wanted) {
           "{} was written by an older ridgeloc (format {}); it can be read, but not be continued or merged: "
           "compute it again under another name",
           path.string(), fmt::join(file.numbers_attribute("/", "version"), ".")));
-    if (file.content_digest() != file.text_attribute("/", layout::digest_attribute))
-      throw core::IoError("its numbers are not those that were written");
+    require_as_written(file, hdf5::File::Extent::All);
     const Header found = read_header(file);
     require_same_study(found, wanted, path.string());
     BlockSource source{path, read_ledger(file, found), read_failures(file, found), {}};
@@ -175,8 +194,12 @@ std::vector<std::string> contributions_of(const fs::path& path) {
   return lines;
 }
 
+void read_completely(const fs::path& path) {
+  read_result_blocks(path, read_result_header(path));
+}
+
 FailureList read_result_failures(const fs::path& path) {
-  return with_result(path, [](const hdf5::File& file) { return read_failures(file, read_header(file)); });
+  return with_checked_totals(path, [](const hdf5::File& file) { return read_failures(file, read_header(file)); });
 }
 
 Summary summarize(const Header& header, const Ledger& ledger) {
@@ -191,19 +214,18 @@ Summary summarize(const Header& header, const Ledger& ledger) {
 }
 
 Summary read_result(const fs::path& path) {
-  return with_result(path, [](const hdf5::File& file) {
-    verify_totals(file);
+  return with_checked_totals(path, [](const hdf5::File& file) {
     const Header header = read_header(file);
     return summarize(header, read_ledger(file, header));
   });
 }
 
 Header read_result_header(const fs::path& path) {
-  return with_result(path, [](const hdf5::File& file) { return read_header(file); });
+  return with_checked_totals(path, [](const hdf5::File& file) { return read_header(file); });
 }
 
 Ledger read_result_ledger(const fs::path& path) {
-  return with_result(path, [](const hdf5::File& file) { return read_ledger(file, read_header(file)); });
+  return with_checked_totals(path, [](const hdf5::File& file) { return read_ledger(file, read_header(file)); });
 }
 
 TrialTable read_trials(const fs::path& path, std::size_t cell, std::size_t method) {
@@ -218,18 +240,18 @@ void visit_trials(const fs::path& path, std::size_t metric, const TrialVisitor& 
         const std::string group = layout::trials_group(cell, header.methods[method].label);
         const std::string column = fmt::format("{}/{}", group, header.schema.metrics.at(metric).name);
         if (!file.contains(group) || !file.contains(column)) continue;
-        const std::vector<std::uint64_t> numbers = trial_numbers(file, group, header);
-        visit(cell, method, numbers, read_column<double>(file, column, numbers.size()));
+        std::optional<std::size_t> trials;
+        const std::vector<double> values = read_column<double>(file, column, trials);
+        visit(cell, method, trial_numbers(file, group, header, values.size()), values);
       }
   });
 }
 
 std::string data_digest(const fs::path& path) {
-  return with_result(path, [](const hdf5::File& file) { return file.content_digest(); });
-}
-
-std::string sealed_digest(const fs::path& path) {
-  return with_result(path, [](const hdf5::File& file) { return file.text_attribute("/", layout::digest_attribute); });
+  return with_result(path, [](const hdf5::File& file) {
+    require_as_written(file, hdf5::File::Extent::All);
+    return file.text_attribute("/", layout::digest_attribute);
+  });
 }
 
 }  // namespace ridgeloc::results

@@ -13,13 +13,17 @@
 namespace ridgeloc::results {
 
 // Readers of a sealed result. Each throws core::InputError, one line, if the file is missing, is not HDF5, is
-// no result, has a newer major version, or is truncated or damaged.
+// no result, has a newer major version, or is truncated or damaged: all but `read_trials` compare what the file holds
+// with the digests that were stored when it was sealed. HDF5 itself can crash on a damaged file.
 
 /// What the result is, and the totals of each cell and method.
 Summary read_result(const std::filesystem::path& path);
 
 /// What the result is, without its numbers.
 Header read_result_header(const std::filesystem::path& path);
+
+/// Reads all that continuing or merging the result would read, and drops it.
+void read_completely(const std::filesystem::path& path);
 
 /// The rows behind the totals, with a digest per block.
 Ledger read_result_ledger(const std::filesystem::path& path);
@@ -34,7 +38,8 @@ struct TrialTable {
   std::vector<std::vector<double>> metrics;  ///< per `Schema::metrics`; empty: not given by this method
 };
 
-/// Without kept trials the table is empty.
+/// Without kept trials the table is empty. Checks only that the values are there: whether they are those that were
+/// written is for `data_digest` to find out, once for all tables.
 TrialTable read_trials(const std::filesystem::path& path, std::size_t cell, std::size_t method);
 
 /// Calls `visit` with the kept trials of each method in each cell that report a metric, given by its index: their
@@ -44,13 +49,9 @@ using TrialVisitor = std::function<void(std::size_t cell, std::size_t method, co
 void visit_trials(const std::filesystem::path& path, std::size_t metric, const TrialVisitor& visit);
 
 /// SHA-256 over the names, types, shapes and values of all datasets except those under /provenance, in name
-/// order: two results with equal digests hold the same numbers. Computed from the values; docs/file-format.md
-/// defines it.
+/// order: two results with equal digests hold the same numbers. Computed from the values, and the same as when the
+/// result was sealed; docs/file-format.md defines it.
 std::string data_digest(const std::filesystem::path& path);
-
-/// The digest that was stored when the result was sealed; differs from `data_digest` if the file was damaged
-/// since.
-std::string sealed_digest(const std::filesystem::path& path);
 
 /// Totals of every cell and method of a study.
 Summary summarize(const Header& header, const Ledger& ledger);

@@ -107,8 +107,11 @@ void write_result(const fs::path& path, const Header& header, const BlockUnion& 
   const std::string digest = file.written_digest();
   file.write_attribute("/", layout::digest_attribute, digest);
   file.write_attribute("/", layout::totals_digest_attribute, file.written_digest(hdf5::File::Extent::Totals));
+  const std::string attributes = file.attributes_digest();
+  file.write_attribute("/", layout::attributes_digest_attribute, attributes);
   file.close();
-  if (hdf5::File::open(temporary.path()).content_digest() != digest)
+  const hdf5::File written = hdf5::File::open(temporary.path());
+  if (written.content_digest() != digest || written.attributes_digest() != attributes)
     throw core::IoError(fmt::format("{} reads back with other values than were written; check the disk and run again",
                                     temporary.path().string()));
   temporary.publish();

@@ -83,11 +83,7 @@ ResultWriter::ResultWriter(fs::path path, Header header, Totals totals)
       last_part_(std::chrono::steady_clock::now()) {
   if (totals == Totals::Kept) totals_.emplace(header_.block_trials);
   require_writable(path_);
-  std::error_code error;
-  fs::create_directory(folder_, error);
-  if (error)
-    throw core::InputError(
-        fmt::format("cannot create the folder {}: {}; choose another -o", folder_.string(), error.message()));
+  make_folder(folder_);
   lock_ = std::make_unique<FolderLock>(folder_);
   TemporaryFile::remove_leftovers(path_);
   try {
@@ -145,8 +141,7 @@ void ResultWriter::mark_present(const BlockSource& source) {
 }
 
 void ResultWriter::mark_present(const Row& row) {
-  present(row.cell, row.method)
-      .blocks.insert(row.first_block, row.blocks, row.statistics.trials, header_.block_trials);
+  present(row.cell, row.method).blocks.insert(row.first_block, row.blocks, row.statistics.trials, header_.block_trials);
   if (totals_) totals_->insert(row);
 }
 

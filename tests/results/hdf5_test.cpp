@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "core/error.hpp"
+#include "results/hdf5_handle.hpp"
 #include "results/sample_study.hpp"
 
 using namespace ridgeloc;
@@ -109,4 +110,25 @@ TEST_CASE("HDF5: failures are one line that names the file and the object") {
   CHECK(lacking([&] { file.attribute_names("/missing"); }, "the attributes of /missing") == "");
   CHECK(lacking([&] { file.text_attribute("/", "missing"); }, "the attribute missing of /") == "");
   CHECK_THROWS_AS(file.create_group("/reals"), core::IoError);
+}
+
+TEST_CASE("an extent that no stored bytes can fill is refused before memory is asked for") {
+  const test::ScratchFolder folder;
+  const fs::path path = folder / "a.h5";
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hsize_t extent = hsize_t{1} << 40;
+  const hid_t space = H5Screate_simple(1, &extent, nullptr);
+  const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+  SECTION("chunks that were never written") {
+    const hsize_t chunk = 1024;
+    H5Pset_chunk(properties, 1, &chunk);
+    H5Pset_deflate(properties, 1);
+  }
+  SECTION("a contiguous dataset that was never written") {}
+  H5Dclose(H5Dcreate2(file, "x", H5T_STD_U64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT));
+  H5Pclose(properties);
+  H5Sclose(space);
+  H5Fclose(file);
+  const std::string message = test::message_of([&] { hdf5::File::open(path).read<std::uint64_t>("/x"); });
+  CHECK(test::lacking(message, {"cannot read /x", "the file is too small for its size"}) == "");
 }

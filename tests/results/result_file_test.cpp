@@ -1,9 +1,12 @@
 #include "results/result_file.hpp"
 
+#include <sys/stat.h>
+
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "catch.hpp"
@@ -16,6 +19,16 @@ using namespace ridgeloc::results;
 namespace fs = std::filesystem;
 
 namespace {
+
+/// Changes one bit of the first place in a file where a text stands.
+void damage_text(const fs::path& path, const std::string& text) {
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  const std::string content{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t place = content.find(text);
+  REQUIRE(place != std::string::npos);
+  file.seekp(static_cast<std::streamoff>(place));
+  file.put(static_cast<char>(text[0] ^ 1));
+}
 
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
@@ -222,6 +235,10 @@ TEST_CASE("what is no readable result is refused with a line that says so") {
     fs::resize_file(path, fs::file_size(path) - 1);
     reason = "truncated or damaged";
   }
+  SECTION("no file, but something to wait for") {
+    REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+    reason = "no regular file";
+  }
   SECTION("incomplete") {
     hdf5::File file = hdf5::File::create(path);
     file.write_attribute("/", "filetype", std::string("ridgeloc-result"));
@@ -231,4 +248,24 @@ TEST_CASE("what is no readable result is refused with a line that says so") {
   }
   CHECK_THROWS_AS(read_result(path), core::InputError);
   CHECK(test::lacking(test::message_of([&] { read_result(path); }), {path.string(), reason}) == "");
+}
+
+TEST_CASE("a changed bit of a text is found, whoever reads: HDF5 has no checksum over texts") {
+  const test::ScratchFolder folder;
+  const fs::path path = folder / "r.h5";
+  Header header = test::sample_header();
+  header.title = "a title that stands nowhere else";
+  header.study_toml += "# a comment that stands nowhere else\n";
+  test::write_sample(path, header);
+  const std::string text = GENERATE("title that stands", "comment that stands", "it was not");
+  damage_text(path, text);
+  const auto is_found = [&](auto&& read) {
+    return test::lacking(test::message_of(read), {path.string(), "not those that were written"});
+  };
+  CHECK(is_found([&] { read_result(path); }) == "");
+  CHECK(is_found([&] { read_result_header(path); }) == "");
+  CHECK(is_found([&] { read_result_ledger(path); }) == "");
+  CHECK(is_found([&] { read_result_failures(path); }) == "");
+  CHECK(is_found([&] { read_completely(path); }) == "");
+  CHECK(is_found([&] { data_digest(path); }) == "");
 }

@@ -1,0 +1,157 @@
+// What goes wrong with the machine during a run: one line, an exit code, and everything finished stays.
+
+#include <algorithm>
+
+#include "catch.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace ridgeloc::tests;
+
+namespace {
+
+const std::string study = R"(experiment = "ranging"
+trials = 60000
+audit = 0
+[store]
+trial_columns_mib = 1024
+[sweep]
+points = [3, 5]
+[[method]]
+solver = "ols"
+[[method]]
+solver = "linear"
+)";
+
+struct WithStudy : WorkingFolder {
+  WithStudy() { write("s.toml", study); }
+};
+
+/// A folder `disk` with a file system of its own, which the commands of one script see. Needs no rights where users
+/// may have their own name spaces.
+Outcome on_own_disk(const WorkingFolder& folder, const std::string& size, const std::string& script) {
+  folder.write("script.sh", "set -e\nmkdir disk\nmount -t tmpfs -o size=" + size + " none disk\n" +
+                                "ridgeloc() { '" RIDGELOC_PROGRAM "' \"$@\"; }\nset +e\n" + script);
+  return folder.shell("unshare --map-root-user --mount sh script.sh");
+}
+
+bool has_own_disks() {
+  const WorkingFolder folder;
+  return on_own_disk(folder, "1m", "true").exit_code == 0;
+}
+
+#define REQUIRE_OWN_DISKS()                                                                              \
+  if (!has_own_disks()) {                                                                                \
+    WARN("skipped: this user may not mount a file system in a name space of its own (unshare --mount)"); \
+    return;                                                                                              \
+  }
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::count(text, '\n'));
+}
+
+}  // namespace
+
+// 60000 trials of the study are 14 MB, as parts and as a result, so that a disk with less room fails the first part and
+// one with room for the parts alone fails the result.
+
+TEST_CASE("a full disk is one line and exit code 3, and the same command goes on when there is room") {
+  REQUIRE_OWN_DISKS();
+  const WithStudy folder;
+  const auto [room_mb, kept] = GENERATE(table<std::string, std::string>({
+      {"1", ""},
+      {"20", "finished parts are kept in disk/s.h5.parts; "},
+  }));
+  const Outcome outcome = on_own_disk(folder, "60m", R"(
+head -c $((60 - )" + room_mb + R"())M /dev/zero > disk/ballast
+ridgeloc run s.toml -o disk/s.h5; echo $?
+ls disk
+rm disk/ballast
+ridgeloc run s.toml -o disk/s.h5 2> again; echo $?
+ls disk
+ridgeloc verify --digest disk/s.h5
+ridgeloc run s.toml -o whole.h5 2> whole
+ridgeloc verify --digest whole.h5
+)");
+  INFO(outcome.out << outcome.error << folder.read("again"));
+  CHECK(lines(outcome.error) == 1);
+  CHECK(contains(outcome.error, ": No space left on device (" + kept + "the same command goes on from there)"));
+  const std::string left = kept.empty() ? "" : "s.h5.parts\n";
+  const std::string digest = folder.ridgeloc("verify --digest whole.h5").out;
+  CHECK(outcome.out == "3\nballast\n" + left + "disk/s.h5\n0\ns.h5\n" + digest + "whole.h5\n" + digest);
+  if (!kept.empty()) CHECK(contains(folder.read("again"), "30 of 30 blocks were there"));
+}
+
+TEST_CASE("a disk that cannot be written is found before anything is computed; reading from it works") {
+  REQUIRE_OWN_DISKS();
+  const WithStudy folder;
+  const Outcome outcome = on_own_disk(folder, "60m", R"(
+ridgeloc run s.toml --trials 100 -o disk/s.h5 2> first
+mount -o remount,ro disk
+ridgeloc run s.toml -o disk/s.h5; echo $?
+ridgeloc export disk/s.h5 -o disk/s.csv; echo $?
+ridgeloc verify --blocks 1 disk/s.h5 > verified; echo $?
+)");
+  INFO(outcome.out << outcome.error);
+  CHECK(outcome.out == "disk/s.h5\n2\n2\n0\n");
+  CHECK(lines(outcome.error) == 2);
+  CHECK(contains(outcome.error, "cannot write disk/s.h5: Read-only file system"));
+  CHECK(contains(outcome.error, "cannot write disk/s.csv: Read-only file system"));
+}
+
+TEST_CASE("a disk that becomes read-only during a run is one line and exit code 3") {
+  REQUIRE_OWN_DISKS();
+  const WithStudy folder;
+  // The new state is refused while a file is open for writing, and for writing a part the run must go on for 5 s.
+  const Outcome outcome = on_own_disk(folder, "60m", R"(
+ridgeloc run s.toml --trials 1e10 --set store.trial_columns_mib=1 -o disk/s.h5 2> error &
+run=$!
+until ls disk/s.h5.parts/part-000000.h5 2> nothing_yet; do sleep 0.1; done
+until mount -o remount,ro disk 2> busy; do sleep 0.1; done
+wait $run; echo $?
+grep -v "trials/s" error >&2
+ls disk disk/s.h5.parts
+)");
+  INFO(outcome.out << outcome.error);
+  CHECK(lines(outcome.error) == 1);
+  CHECK(contains(outcome.error, "Read-only file system (finished parts are kept in disk/s.h5.parts; the same command"));
+  CHECK(contains(outcome.out, "part-000000.h5\n3\ndisk:\ns.h5.parts\n"));
+}
+
+TEST_CASE("a folder that vanishes during a run is one line and exit code 3, and the same command begins anew") {
+  const WithStudy folder;
+  const std::string vanishing = GENERATE("out", "out/s.h5.parts");
+  const Outcome outcome = folder.shell("mkdir out; '" RIDGELOC_PROGRAM
+                                       "' run s.toml -o out/s.h5 & run=$!; "
+                                       "until ls out/s.h5.parts > nothing 2>&1; do :; done; rm -r " +
+                                       vanishing + "; wait $run");
+  INFO(outcome.error);
+  CHECK(outcome.exit_code == 3);
+  CHECK(lines(outcome.error) == 1);
+  CHECK(contains(outcome.error, "s.h5"));
+  CHECK(contains(outcome.error, "(the same command goes on from there)"));
+  CHECK_FALSE(folder.has("out/s.h5"));
+  REQUIRE(folder.shell("mkdir -p out").exit_code == 0);
+  CHECK(folder.ridgeloc("run s.toml -o out/s.h5").exit_code == 0);
+}
+
+TEST_CASE("a file-size limit that parts keep and the result exceeds leaves the parts") {
+  const WithStudy folder;
+  // In units of 512 bytes. Stopping leaves more than one part, each below the limit.
+  const Outcome stopped = folder.shell("'" RIDGELOC_PROGRAM
+                                       "' run s.toml --threads 1 & run=$!; "
+                                       "until ls s.h5.parts > nothing 2>&1; do :; done; sleep 0.05; "
+                                       "kill -TERM $run; wait $run");
+  REQUIRE(stopped.exit_code == 4);
+  const Outcome limited = folder.shell("ulimit -f 27000 && '" RIDGELOC_PROGRAM "' run s.toml");
+  INFO(limited.error);
+  CHECK(limited.exit_code == 3);
+  CHECK(lines(limited.error) == 1);
+  CHECK(contains(limited.error, "File too large (finished parts are kept in s.h5.parts; the same command goes on"));
+  const Outcome again = folder.ridgeloc("run s.toml");
+  CHECK(again.exit_code == 0);
+  CHECK(contains(again.error, "30 of 30 blocks were there"));
+}
