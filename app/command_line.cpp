@@ -6,21 +6,19 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <csignal>
 #include <exception>
 #include <functional>
 #include <new>
 #include <string>
 #include <system_error>
-#include <thread>
 
 #include "app/build_info.hpp"
 #include "app/exit_code.hpp"
+#include "app/options.hpp"
 #include "app/output.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
-#include "core/isa.hpp"
 #include "studies/experiment.hpp"
 #include "studies/listing.hpp"
 #include "studies/study.hpp"
@@ -30,28 +28,12 @@ namespace ridgeloc::app {
 
 namespace {
 
-constexpr int max_threads = 1024;
-
-void add_threads(CLI::App& verb, int& threads) {
-  verb.add_option("--threads", threads, "threads to use")
-      ->default_val(std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, max_threads))
-      ->check(CLI::Range(1, max_threads));
-}
-
 /// One line on standard error, whatever the message quotes.
 int complain(std::string message, ExitCode code) {
   std::ranges::replace_if(
       message, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
   fmt::print(stderr, "ridgeloc: {}\n", message);
   return code;
-}
-
-/// "1e6" as TOML would have it, "1000000"; other texts unchanged, for the study reader to judge.
-std::string whole_number(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const bool exact = end != text.c_str() && *end == '\0' && value == std::floor(value) && std::fabs(value) < 1e15;
-  return exact ? fmt::format("{:.0f}", value) : text;
 }
 
 studies::Shard shard_of(const std::string& text) {
@@ -67,38 +49,6 @@ studies::Shard shard_of(const std::string& text) {
         fmt::format("--shard {}: write it as i/N with i from 1 to N and N up to {}, for example 2/7", text, most));
   }
   return shard;
-}
-
-void add_study_options(CLI::App& verb, StudyOptions& options) {
-  verb.add_option("STUDY", options.studies, "study files, or names from the catalog (ridgeloc list studies)")
-      ->required();
-  verb.add_option_function<std::string>(
-          "--trials", [&options](const std::string& n) { options.overrides.push_back("trials=" + whole_number(n)); },
-          "trials per cell (10000, 1e6)")
-      ->type_name("N");
-  verb.add_option_function<std::string>(
-          "--seed", [&options](const std::string& n) { options.overrides.push_back("seed=" + whole_number(n)); },
-          "seed of all random numbers")
-      ->type_name("N");
-  verb.add_option_function<std::string>(
-          "--audit", [&options](const std::string& f) { options.overrides.push_back("audit=" + f); },
-          "share of the trials that Ceres solves again, 0 to 1; 0 switches the audit off")
-      ->type_name("F");
-  verb.add_option_function<std::vector<std::string>>(
-          "--set",
-          [&options](const std::vector<std::string>& items) {
-            options.overrides.insert(options.overrides.end(), items.begin(), items.end());
-          },
-          "overrides a key of the study, for example scene.depth_m=[2,15] or method.0.k=fixed; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
-  add_threads(verb, options.threads);
-  verb.add_option("--isa", options.isa,
-                  "instruction set to compute with; without it the one that a stopped run has begun with, else the "
-                  "widest that this processor has")
-      ->check(CLI::IsMember(std::vector<std::string>(core::isa_names.begin(), core::isa_names.end())));
 }
 
 std::vector<std::string> experiment_names() {
@@ -185,39 +135,17 @@ class CommandLine {
         ->required()
         ->check(CLI::Range(std::uint64_t{0}, studies::max_trials - 1))
         ->type_name("N");
-    const auto add_names = [&](const char* option, std::vector<std::string>& names, const char* description) {
-      replay_verb.add_option(option, names, description)
-          ->type_name("NAME")
-          ->expected(1)
-          ->take_all()
-          ->allow_extra_args(false);
-    };
-    add_names("--method", replay_.methods, "method of the study; may be repeated (default: all)");
-    add_names("--solver", replay_.solvers, "solver beside the methods, with the study's [solver]; may be repeated");
+    add_names(replay_verb, "--method", replay_.methods, "method of the study; may be repeated (default: all)");
+    add_names(replay_verb, "--solver", replay_.solvers,
+              "solver beside the methods, with the study's [solver]; may be repeated");
     replay_verb.add_flag("--json", replay_.json, "print JSON instead of tables");
     replay_verb.add_option("-o", replay_.output, "picture to draw: .svg, .pdf or .png")->type_name("FILE");
 
-    CLI::App& export_verb = verb("export", "write a result as CSV", [this] { return export_result(export_); });
-    export_verb.add_option("RESULT", export_.result, "result file")->required();
-    export_verb.add_flag("--csv", export_.csv, "comma-separated values (the default)");
-    export_verb.add_flag("--trials", export_.trials, "a row per kept trial instead");
-    export_verb.add_flag("--study", export_.study, "the complete study instead, as a file to run");
-    export_verb.add_flag("--failures", export_.failures, "a row per failed trial that is listed instead");
-    export_verb.add_option("-o", export_.output, "file to write")->type_name("FILE");
+    add_export_options(verb("export", "write a result as CSV or LaTeX", [this] { return export_result(export_); }),
+                       export_);
 
-    CLI::App& plot_verb = verb("plot", "draw the figures of a result", [this] { return plot(plot_); });
-    plot_verb.add_option("RESULT", plot_.result, "result file")->required();
-    plot_verb.add_option("-o", plot_.output, "folder, or a file for one figure")->type_name("PATH");
-    plot_verb.add_option("--figure", plot_.figures, "name of a figure; may be repeated (default: all)")
-        ->type_name("NAME")
-        ->expected(1)
-        ->take_all()
-        ->allow_extra_args(false);
-    plot_verb.add_option("--format", plot_.formats, "svg, pdf or png; may be repeated (default: svg)")
-        ->check(CLI::IsMember({"svg", "pdf", "png"}))
-        ->expected(1)
-        ->take_all()
-        ->allow_extra_args(false);
+    add_plot_options(verb("plot", "draw the figures of a result, or another one", [this] { return plot(plot_); }),
+                     plot_);
 
     CLI::App& report_verb = verb("report", "write results as one HTML page that opens anywhere, offline",
                                  [this] { return report(report_); });

@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <ostream>
 #include <utility>
 
@@ -7,9 +11,42 @@
 #include "app/verbs.hpp"
 #include "core/error.hpp"
 #include "results/csv.hpp"
+#include "results/latex.hpp"
 #include "results/result_file.hpp"
+#include "studies/value.hpp"
 
 namespace ridgeloc::app {
+
+namespace {
+
+/// The metrics and events asked for, or those that the result leads with.
+std::vector<std::string> chosen_quantities(const results::Header& header, const ExportOptions& options) {
+  if (options.metrics.empty()) return results::leading_quantities(header);
+  std::vector<std::string> names;
+  for (const auto& metric : header.schema.metrics) names.push_back(metric.name);
+  for (const auto& event : header.schema.events) names.push_back(event.name);
+  for (const std::string& name : options.metrics) {
+    if (std::ranges::find(names, name) != names.end()) continue;
+    const std::string nearest = studies::nearest_name(name, names);
+    throw core::InputError(fmt::format("{}: no metric or event \"{}\"{} (allowed: {})", options.result, name,
+                                       nearest.empty() ? "" : fmt::format(", did you mean \"{}\"?", nearest),
+                                       fmt::join(names, ", ")));
+  }
+  return options.metrics;
+}
+
+void export_latex(const ExportOptions& options) {
+  const auto [summary, digest] = read_probed(options.result, [&] {
+    return std::pair(results::read_result(options.result), results::data_digest(options.result));
+  });
+  const auto quantities = chosen_quantities(summary.header, options);
+  std::string command = fmt::format("ridgeloc export {} --latex", options.result);
+  for (const std::string& name : options.metrics) command += " --metric " + name;
+  const std::string text = results::latex_tables(summary, quantities, {digest, command});
+  write_output(options.output, [&](std::ostream& out) { out << text; });
+}
+
+}  // namespace
 
 int export_result(const ExportOptions& options) {
   if (int{options.failures} + int{options.trials} + int{options.study} > 1) {
@@ -26,6 +63,10 @@ int export_result(const ExportOptions& options) {
       return std::pair(results::read_result_header(options.result), results::read_result_failures(options.result));
     });
     write_output(options.output, [&](std::ostream& out) { results::write_failures_csv(header, failures, out); });
+    return Success;
+  }
+  if (options.latex) {
+    export_latex(options);
     return Success;
   }
   if (!options.trials) {

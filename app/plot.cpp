@@ -11,6 +11,7 @@
 #include "app/verbs.hpp"
 #include "core/error.hpp"
 #include "results/figure.hpp"
+#include "results/figure_request.hpp"
 #include "results/result_file.hpp"
 
 namespace ridgeloc::app {
@@ -20,8 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<results::FigureSpec> chosen_figures(const results::Header& header, const PlotOptions& options) {
+  if (!options.asked.y.empty()) return {results::completed_figure(header, options.asked)};
   if (header.figures.empty()) {
-    throw core::InputError(options.result + ": its study has no [[figure]]; add one to the study file");
+    throw core::InputError(options.result + ": its study has no [[figure]]; name what to draw with --y, for example " +
+                           header.schema.metrics.front().name);
   }
   if (options.figures.empty()) return header.figures;
   std::vector<results::FigureSpec> chosen;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "results/schema.hpp"
 #include "studies/assignment.hpp"
 
 /// The verbs of the program, one source file each. Each returns an exit code, or throws core::InputError or
@@ -89,9 +90,11 @@ struct ExportOptions {
   std::string result;
   std::string output;  ///< empty: standard output
   bool csv = true;
-  bool trials = false;    ///< rows per trial instead of per metric
-  bool failures = false;  ///< rows per failed trial that is listed
-  bool study = false;     ///< the study file that the result holds
+  bool trials = false;               ///< rows per trial instead of per metric
+  bool failures = false;             ///< rows per failed trial that is listed
+  bool study = false;                ///< the study file that the result holds
+  bool latex = false;                ///< tables for LaTeX instead of CSV
+  std::vector<std::string> metrics;  ///< of these tables, events too; empty: those of the figures
 };
 int export_result(const ExportOptions& options);
 
@@ -100,6 +103,7 @@ struct PlotOptions {
   std::string output;                ///< a file for one figure, or a folder; empty: here
   std::vector<std::string> formats;  ///< "svg", "pdf", "png"
   std::vector<std::string> figures;  ///< names; empty: all
+  results::FigureSpec asked;         ///< drawn instead of those of the study, if it names y
 };
 int plot(const PlotOptions& options);
 

@@ -11,7 +11,9 @@
 
 #include "core/error.hpp"
 #include "results/alarm.hpp"
+#include "results/figure_distribution.hpp"
 #include "results/figure_names.hpp"
+#include "results/figure_texts.hpp"
 #include "results/text.hpp"
 
 namespace ridgeloc::results {
@@ -24,35 +26,8 @@ constexpr std::size_t method_dimension = FigureNames::method_dimension;
 /// Of a median; that of a mean stands in its row.
 constexpr std::uint64_t fewest_for_median = 10;
 
-/// Descriptions that are longer would leave the figure; the name then stands for them.
-constexpr std::size_t longest_legend_text = 45;
-
-std::string with_unit(const std::string& text, const std::string& unit) {
-  return unit == "1" || unit.empty() ? text : fmt::format("{} [{}]", text, unit);
-}
-
-std::string axis_label(const Axis& axis) {
-  return with_unit(axis.description.empty() ? axis.name : axis.description, axis.unit);
-}
-
-const char* statistic_text(const Quantity& quantity) {
-  switch (quantity.statistic) {
-    case Statistic::Mean:
-      return "mean";
-    case Statistic::Median:
-      return "median";
-    case Statistic::RootMeanSquare:
-      return "root mean square";
-    case Statistic::Rate:
-      return "rate";
-  }
-  return "";
-}
-
-std::string quantity_label(const Quantity& quantity) {
-  const std::string text = quantity.description.empty() ? quantity.name : quantity.description;
-  return with_unit(fmt::format("{}, {}", text, statistic_text(quantity)), quantity.unit);
-}
+/// Bands of more lines in a panel would hide each other.
+constexpr std::size_t most_bands = 3;
 
 std::optional<double> number(const FactorValue& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
@@ -85,8 +60,7 @@ bool spans_decades(const Axis& axis) {
 }
 
 FigurePoint point_of(const SummaryRow& row, const Quantity& quantity, double x) {
-  if (quantity.statistic == Statistic::Median)
-    return {x, row.p50, row.p50_lo, row.p50_hi, row.n >= fewest_for_median};
+  if (quantity.statistic == Statistic::Median) return {x, row.p50, row.p50_lo, row.p50_hi, row.n >= fewest_for_median};
   if (quantity.statistic == Statistic::RootMeanSquare) return {x, row.rms, row.rms_lo, row.rms_hi, row.trusted};
   return {x, row.mean, row.lo, row.hi, row.trusted};
 }
@@ -98,22 +72,21 @@ class Builder {
     for (SummaryRow& row : summary_rows(summary)) {
       for (std::size_t metric = 0; metric < names_.y.size(); ++metric) {
         const Quantity& quantity = names_.y[metric];
-        if (row.metric == quantity.name && is_drawn(row.method)) rows_.push_back({metric, row});
+        if (row.metric == quantity.name && is_drawn(row)) rows_.push_back({metric, row});
       }
     }
     group_by_method_if_needed();
   }
 
   FigureData build() {
-    const Axis& axis = header_.axes[names_.x];
     FigureData data;
     data.title = spec_.title;
-    data.x_label = axis_label(axis);
-    data.log_x = spans_decades(axis);
     data.log_y = spec_.log_y;
-    x_ = positions(axis);
-    for (std::size_t i = 0; i < x_.size(); ++i) data.x_ticks.push_back({x_[i], factor_text(axis.values[i])});
-    label_quantities(data);
+    if (names_.x) {
+      place_axis(data, header_.axes[*names_.x]);
+    } else if (!rows_.empty()) {
+      place_distribution(data);
+    }
     for (const auto& [metric, row] : rows_) add(data, metric, row);
     if (grouped_by_one_axis()) {
       const Axis& grouping = header_.axes[names_.group.front()];
@@ -132,8 +105,45 @@ class Builder {
  private:
   using Key = std::vector<std::size_t>;
 
-  bool is_drawn(std::size_t method) const {
-    return std::find(names_.methods.begin(), names_.methods.end(), method) != names_.methods.end();
+  void place_axis(FigureData& data, const Axis& axis) {
+    data.x_label = axis_label(axis);
+    data.log_x = spans_decades(axis);
+    x_ = positions(axis);
+    for (const std::size_t i : drawn_values(*names_.x)) data.x_ticks.push_back({x_[i], factor_text(axis.values[i])});
+    data.y_label = quantities_label(names_.y);
+    data.metrics = quantity_texts(names_.y);
+  }
+
+  void place_distribution(FigureData& data) {
+    const Quantity& quantity = names_.y.front();
+    const auto& info = *std::ranges::find(header_.schema.metrics, quantity.name, &MetricInfo::name);
+    std::vector<const Histogram*> histograms;
+    for (const auto& entry : rows_) {
+      const SummaryRow& row = entry.second;
+      if (row.min < 0.0) {
+        throw core::InputError(fmt::format("figure '{}': kind = \"{}\" cannot show {} of {}, which has negative values",
+                                           spec_.name, spec_.kind, quantity.name, header_.methods[row.method].label));
+      }
+      if (row.n > 0) histograms.push_back(&histogram_of(row));
+    }
+    distribution_.emplace(names_.kind, info.whole_numbers, histograms);
+    data.x_label = with_unit(description_of(quantity), quantity.unit);
+    data.y_label = distribution_->y_label();
+    data.log_x = true;
+    data.x_ticks = distribution_->ticks();
+    data.metrics = {""};
+    data.style = names_.kind == FigureNames::Kind::Ecdf ? FigureStyle::Bands : FigureStyle::Lines;
+  }
+
+  const Histogram& histogram_of(const SummaryRow& row) const {
+    const auto& metrics = header_.schema.metrics;
+    const auto index = std::ranges::find(metrics, row.metric, &MetricInfo::name) - metrics.begin();
+    return summary_.of(row.cell, row.method).metrics[static_cast<std::size_t>(index)].histogram;
+  }
+
+  bool is_drawn(const SummaryRow& row) const {
+    return names_.is_drawn[row.cell] &&
+           std::find(names_.methods.begin(), names_.methods.end(), row.method) != names_.methods.end();
   }
 
   void group_by_method_if_needed() {
@@ -155,6 +165,15 @@ class Builder {
     return result;
   }
 
+  /// Indices of the values of an axis that drawn cells have, ascending.
+  std::set<std::size_t> drawn_values(std::size_t axis) const {
+    std::set<std::size_t> values;
+    for (std::size_t cell = 0; cell < header_.cells.size(); ++cell) {
+      if (names_.is_drawn[cell]) values.insert(header_.cells[cell].indices[axis]);
+    }
+    return values;
+  }
+
   bool grouped_by_one_axis() const { return names_.group.size() == 1 && names_.group.front() != method_dimension; }
 
   /// "points = 3, rrr".
@@ -170,23 +189,6 @@ class Builder {
       }
     }
     return text;
-  }
-
-  void label_quantities(FigureData& data) const {
-    if (names_.y.size() == 1) {
-      data.y_label = quantity_label(names_.y.front());
-      data.metrics = {""};
-      return;
-    }
-    const Quantity& first = names_.y.front();
-    const bool alike = std::all_of(names_.y.begin(), names_.y.end(), [&](const Quantity& quantity) {
-      return quantity.unit == first.unit && quantity.statistic == first.statistic;
-    });
-    if (alike) data.y_label = with_unit(statistic_text(first), first.unit);
-    for (const Quantity& quantity : names_.y) {
-      const bool fits = !quantity.description.empty() && quantity.description.size() <= longest_legend_text;
-      data.metrics.push_back(!fits ? quantity.name : alike ? quantity.description : quantity_label(quantity));
-    }
   }
 
   /// Index of `values`' label, in order of first appearance: rows come in order of the grid.
@@ -206,11 +208,17 @@ class Builder {
                              [&](const FigureLine& l) { return l.group == group && l.metric == metric; });
     if (line == lines.end()) line = lines.insert(lines.end(), FigureLine{group, metric, {}});
 
-    const std::size_t x_index = header_.cells[row.cell].indices[names_.x];
+    const std::size_t x_index = names_.x ? header_.cells[row.cell].indices[*names_.x] : 0;
     if (!occupied_.insert({Key{facet, group, metric, x_index}, row.cell}).second) refuse_overlap(row);
-    const FigurePoint point = point_of(row, names_.y[metric], x_[x_index]);
-    if (std::isnan(point.y)) return;
-    line->points.push_back(point);
+    if (distribution_) {
+      if (row.n == 0) return;
+      line->points = distribution_->points(histogram_of(row));
+      largest_share_outside_ = std::max(largest_share_outside_, distribution_->share_outside(histogram_of(row)));
+    } else {
+      const FigurePoint point = point_of(row, names_.y[metric], x_[x_index]);
+      if (std::isnan(point.y)) return;
+      line->points.push_back(point);
+    }
     fewest_trials_ = std::min(fewest_trials_, row.n);
     most_trials_ = std::max(most_trials_, row.n);
   }
@@ -222,8 +230,8 @@ class Builder {
       if (!used && header_.axes[i].values.size() > 1) axes += (axes.empty() ? "" : ", ") + header_.axes[i].name;
     }
     throw core::InputError(
-        fmt::format("figure '{}': several cells fall on one point, among them {}; add to group or facet: {}",
-                    spec_.name, cell_text(header_, row.cell), axes));
+        fmt::format("figure '{}': several cells fall on one {}, among them {}; add to group or facet: {}", spec_.name,
+                    names_.x ? "point" : "line", cell_text(header_, row.cell), axes));
   }
 
   static bool key_contains(const Key& dimensions, std::size_t dimension) {
@@ -233,22 +241,33 @@ class Builder {
   void finish(FigureData& data) const {
     bool untrusted = false;
     for (FigurePanel& panel : data.panels) {
+      if (panel.lines.size() > most_bands && data.style == FigureStyle::Bands) data.style = FigureStyle::Lines;
       for (FigureLine& line : panel.lines) {
-        std::sort(line.points.begin(), line.points.end(),
-                  [](const FigurePoint& a, const FigurePoint& b) { return a.x < b.x; });
+        std::ranges::stable_sort(line.points, {}, &FigurePoint::x);
         for (const FigurePoint& point : line.points) untrusted = untrusted || !point.trusted;
       }
     }
     std::sort(data.x_ticks.begin(), data.x_ticks.end(),
               [](const FigureTick& a, const FigureTick& b) { return a.position < b.position; });
-    const std::string trials = fewest_trials_ >= most_trials_
-                                   ? fmt::format("{} trials per point", most_trials_)
-                                   : fmt::format("{} to {} trials per point", fewest_trials_, most_trials_);
-    data.footnote = trials + "; bars: 95 % intervals; points share trials and are not independent";
+    data.footnote = footnote(data.style);
     if (untrusted) data.footnote += "; dotted bars: the interval itself is uncertain";
     std::set<std::pair<std::size_t, std::size_t>> drawn;
     for (const auto& entry : rows_) drawn.emplace(entry.second.cell, entry.second.method);
     if (const std::string alarms = alarm_text(summary_, drawn); !alarms.empty()) data.footnote += "; " + alarms;
+  }
+
+  std::string footnote(FigureStyle style) const {
+    const std::string trials = fewest_trials_ >= most_trials_ ? fmt::format("{}", most_trials_)
+                                                              : fmt::format("{} to {}", fewest_trials_, most_trials_);
+    if (!distribution_) {
+      return trials + " trials per point; bars: 95 % intervals; points share trials and are not independent";
+    }
+    std::string text = trials + " values per line";
+    if (style == FigureStyle::Bands) text += "; bands: 95 % intervals at each place";
+    if (largest_share_outside_ > 0.0) {
+      text += fmt::format("; outside of the axis: at most {:.2g} % of a line", 100.0 * largest_share_outside_);
+    }
+    return text + "; lines share trials and are not independent";
   }
 
   const Summary& summary_;
@@ -257,6 +276,8 @@ class Builder {
   FigureNames names_;
   std::vector<std::pair<std::size_t, SummaryRow>> rows_;  ///< index into y, row
   std::vector<double> x_;
+  std::optional<FigureDistribution> distribution_;
+  double largest_share_outside_ = 0.0;
   std::map<Key, std::size_t> groups_;
   std::map<Key, std::size_t> facets_;
   std::vector<std::string> facet_labels_;

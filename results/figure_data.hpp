@@ -33,6 +33,13 @@ struct FigureTick {
   std::string label;
 };
 
+/// How the lines of a figure are drawn.
+enum class FigureStyle {
+  Marks,  ///< marks with error bars, those of different lines beside each other, joined by lines
+  Bands,  ///< lines alone, each within the band of its intervals
+  Lines   ///< lines alone
+};
+
 /// A figure with all names resolved and all numbers in place: what is left is to draw it.
 struct FigureData {
   std::string title;
@@ -41,6 +48,7 @@ struct FigureData {
   std::vector<FigureTick> x_ticks;  ///< at the values of the axis; categories stand at 0, 1, 2, ...
   bool log_x = false;               ///< an axis of positive numbers that spans at least a factor of 100
   bool log_y = false;
+  FigureStyle style = FigureStyle::Marks;
   std::string group_title;           ///< what the legend texts of the groups are values of; may be empty
   std::vector<std::string> groups;   ///< legend texts; one empty text where nothing is grouped
   std::vector<std::string> metrics;  ///< legend texts; one empty text where there is one metric only
@@ -52,8 +60,8 @@ struct FigureData {
 /// and neither `group` nor `facet` names "method", they become groups.
 ///
 /// Throws core::InputError for a name that does not exist (with the nearest ones that do), for an unknown
-/// statistic, and when cells that differ in an axis which the figure does not name would fall on the same
-/// point.
+/// statistic, for the distribution of what has negative values, and when cells that differ in an axis which the figure
+/// does not name would fall on the same point, or line of a distribution.
 FigureData figure_data(const Summary& summary, const FigureSpec& spec);
 
 }  // namespace ridgeloc::results

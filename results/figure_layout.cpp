@@ -57,7 +57,7 @@ void place_x(const FigureData& data, FigureLayout& layout) {
   }
   // Marks are about 2 % of the axis wide; all lines together keep within 0.6 of the distance of two values.
   const double lines = static_cast<double>(line_count(data));
-  layout.dodge = std::min(0.02 * span, 0.6 * spacing / lines);
+  layout.dodge = data.style == FigureStyle::Marks ? std::min(0.02 * span, 0.6 * spacing / lines) : 0.0;
   const double padding = 0.04 * span + 0.5 * layout.dodge * (lines - 1.0);
   layout.x = {low - padding, high + padding};
   if (data.log_x) layout.x = {std::pow(10.0, layout.x.low), std::pow(10.0, layout.x.high)};
@@ -90,6 +90,18 @@ FigureRange y_range(const FigureData& data) {
   return {range.low / factor, range.high * factor};
 }
 
+/// For the labels of the vertical axis and its ticks; small shares on a logarithmic one are long.
+double label_width(const FigureData& data, const FigureRange& range) {
+  constexpr std::size_t usual = 5;  // "0.001", "-0.25"
+  constexpr double wide_digit = 2.0;
+  std::size_t longest = usual;
+  if (data.log_y) {
+    for (int power = static_cast<int>(std::ceil(std::log10(range.low))); std::pow(10.0, power) <= range.high; ++power)
+      longest = std::max(longest, fmt::format("{:g}", std::stod(fmt::format("1e{}", power))).size());
+  }
+  return 11.0 + wide_digit * static_cast<double>(longest - usual);
+}
+
 /// Share of the axis, in [0, 1].
 double share(const FigureRange& range, bool logarithmic, double value) {
   if (logarithmic) return std::log(value / range.low) / std::log(range.high / range.low);
@@ -101,6 +113,7 @@ std::vector<FigureTick> spaced_ticks(const FigureData& data, const FigureLayout&
   const double axis = FigureLayout::width - layout.left - FigureLayout::right;
   double free_from = -std::numeric_limits<double>::infinity();
   for (FigureTick& tick : ticks) {
+    if (tick.label.empty()) continue;
     const double centre = axis * share(layout.x, data.log_x, tick.position);
     const double half = 0.5 * small_character * static_cast<double>(display_width(tick.label));
     if (centre - half < free_from) {
@@ -113,6 +126,7 @@ std::vector<FigureTick> spaced_ticks(const FigureData& data, const FigureLayout&
 }
 
 std::string footnote(const FigureData& data) {
+  if (data.style != FigureStyle::Marks) return data.footnote;
   std::size_t omitted = 0;
   for (const FigurePanel& panel : data.panels) {
     for (const FigureLine& line : panel.lines) {
@@ -134,7 +148,8 @@ FigureLayout figure_layout(const FigureData& data) {
   const double label_room = panels > 1 ? static_cast<double>(panels) * stacked_panel_height : single_panel_height;
   // The label may reach beyond the panels by as much as the x axis below them takes.
   layout.y_label = wrapped(data.y_label, characters(label_room + 10.0, small_character));
-  layout.left = 11.0 + FigureLayout::line_height * static_cast<double>(layout.y_label.size());
+  layout.y = y_range(data);
+  layout.left = label_width(data, layout.y) + FigureLayout::line_height * static_cast<double>(layout.y_label.size());
   layout.footnote = wrapped(footnote(data), characters(text_width, footnote_character));
 
   double y = FigureLayout::edge + FigureLayout::line_height / 2.0;
@@ -152,7 +167,6 @@ FigureLayout figure_layout(const FigureData& data) {
                   (static_cast<double>(layout.footnote.size()) - 0.5) * FigureLayout::footnote_line_height;
 
   place_x(data, layout);
-  layout.y = y_range(data);
   layout.ticks = spaced_ticks(data, layout);
   return layout;
 }

@@ -7,6 +7,7 @@
 
 #include "core/edit_distance.hpp"
 #include "core/error.hpp"
+#include "results/axis_values.hpp"
 #include "results/text.hpp"
 
 namespace ridgeloc::results {
@@ -67,14 +68,63 @@ FigureNames::Quantity find_quantity(const Header& header, const FigureSpec& spec
   return {metric.name, metric.description, metric.unit, statistic_of(spec, metric)};
 }
 
+/// In the order of `FigureNames::Kind`.
+const std::vector<std::string> figure_kinds = {"curve", "ecdf", "histogram"};
+
+void check_distribution(const FigureSpec& spec, const FigureNames& names) {
+  const auto refuse = [&](const std::string& reason) {
+    throw core::InputError(fmt::format("figure '{}': kind = \"{}\" {}", spec.name, spec.kind, reason));
+  };
+  if (!spec.x.empty()) refuse("takes no x, which is the metric itself");
+  if (!spec.statistic.empty()) refuse("takes no statistic");
+  if (spec.y.size() > 1) refuse("shows one metric; y names several");
+  if (names.y.front().statistic == FigureNames::Statistic::Rate)
+    refuse(fmt::format("shows metrics; \"{}\" is yes or no, draw its rate as a curve", spec.y.front()));
+}
+
+/// Per value of an axis, whether one of the texts writes it.
+std::vector<bool> chosen_values(const FigureSpec& spec, const Axis& axis, const std::vector<std::string>& texts) {
+  std::vector<bool> chosen(axis.values.size(), false);
+  std::vector<std::string> valid;
+  for (const FactorValue& value : axis.values) valid.push_back(factor_text(value));
+  for (const std::string& text : texts) {
+    const auto found =
+        std::ranges::find_if(axis.values, [&](const FactorValue& value) { return is_written_as(value, text); });
+    const std::size_t index = found != axis.values.end() ? static_cast<std::size_t>(found - axis.values.begin())
+                                                         : find_name(spec, "where " + axis.name, text, valid);
+    chosen[index] = true;
+  }
+  return chosen;
+}
+
 }  // namespace
+
+std::vector<bool> cells_of_figure(const Header& header, const FigureSpec& spec) {
+  std::vector<bool> is_drawn(header.cells.size(), true);
+  for (const auto& [name, texts] : spec.where) {
+    const std::size_t axis = find_name(spec, "where", name, axis_names(header));
+    const std::vector<bool> chosen = chosen_values(spec, header.axes[axis], texts);
+    for (std::size_t cell = 0; cell < is_drawn.size(); ++cell) {
+      if (!chosen[header.cells[cell].indices[axis]]) is_drawn[cell] = false;
+    }
+  }
+  if (std::ranges::find(is_drawn, true) == is_drawn.end()) {
+    throw core::InputError(fmt::format("figure '{}': no cell has the values of where", spec.name));
+  }
+  return is_drawn;
+}
 
 FigureNames resolve_figure_names(const Header& header, const FigureSpec& spec) {
   if (!spec.statistic.empty()) find_name(spec, "statistic", spec.statistic, {"mean", "median", "rms"});
   if (spec.y.empty()) throw core::InputError(fmt::format("figure '{}': y names no metric", spec.name));
   FigureNames names;
-  names.x = find_name(spec, "x", spec.x, axis_names(header));
+  names.kind = static_cast<FigureNames::Kind>(find_name(spec, "kind", spec.kind, figure_kinds));
   for (const std::string& name : spec.y) names.y.push_back(find_quantity(header, spec, name));
+  if (names.kind == FigureNames::Kind::Curve) {
+    names.x = find_name(spec, "x", spec.x, axis_names(header));
+  } else {
+    check_distribution(spec, names);
+  }
   for (const std::string& name : spec.group) names.group.push_back(find_dimension(header, spec, "group", name));
   if (!spec.facet.empty()) names.facet.push_back(find_dimension(header, spec, "facet", spec.facet));
 
@@ -85,6 +135,7 @@ FigureNames resolve_figure_names(const Header& header, const FigureSpec& spec) {
     for (std::size_t method = 0; method < labels.size(); ++method)
       if (!header.methods[method].difference) names.methods.push_back(method);
   }
+  names.is_drawn = cells_of_figure(header, spec);
   return names;
 }
 

@@ -40,9 +40,10 @@ Style line_style(const FigureData& data, std::size_t group, std::size_t metric) 
   return data.metrics.size() > 1 ? with_metric(style, metric) : style;
 }
 
-/// A line, given with its plotting style, and its marks. Under an open mark the line is covered.
-std::string marked_line(const std::string& line, const std::string& places, const Style& style) {
+/// A line, given with its plotting style, and its marks if the figure has any. Under an open mark the line is covered.
+std::string drawn_line(const FigureData& data, const std::string& line, const std::string& places, const Style& style) {
   std::string elements = fmt::format("{} lw 1.2 lc rgb '{}' dt {}", line, style.colour, style.dash);
+  if (data.style != FigureStyle::Marks) return elements;
   const auto marks = [&](int mark, double size, const char* colour) {
     append(elements, next_element,
            fmt::format("{} using 1:2 with points pt {} ps {} lw 1 lc rgb '{}'", places, mark, size, colour));
@@ -104,7 +105,7 @@ std::string draw_page(const FigureData& data, const Layout& layout) {
                           entry.x + Layout::sample_length / 2.0, entry.y, Layout::sample_length);
     const Style style = entry.is_metric ? with_metric(Style{}, entry.index) : line_style(data, entry.index, 0);
     append(elements, next_element,
-           marked_line(name + " index 0 using 1:2:3:(0) with vectors nohead", name + " index 1", style));
+           drawn_line(data, name + " index 0 using 1:2:3:(0) with vectors nohead", name + " index 1", style));
   }
   return script + plot_command(elements) + "unset label\n";
 }
@@ -150,9 +151,11 @@ std::string panel_axes(const FigureData& data, const Layout& layout) {
 /// A data block of the line's points: x, y, lower and upper end of the bar, whether it is trusted.
 std::string data_block(const std::string& name, const FigureData& data, const Layout& layout, const FigureLine& line) {
   std::string block = name + " << EOD\n";
+  // A mark that has no place is left out; a line goes along the edge there.
+  const bool has_marks = data.style == FigureStyle::Marks;
   for (const FigurePoint& point : line.points) {
-    if (!is_drawable(point, data.log_y)) continue;
-    block += fmt::format("{} {} {} {} {}\n", dodged(data, layout, line, point.x), point.y,
+    if (has_marks && !is_drawable(point, data.log_y)) continue;
+    block += fmt::format("{} {} {} {} {}\n", dodged(data, layout, line, point.x), std::max(point.y, layout.y.low),
                          std::max(point.lo, layout.y.low), std::min(point.hi, layout.y.high), point.trusted ? 1 : 0);
   }
   return block + "EOD\n";
@@ -169,10 +172,17 @@ std::string bars(const std::string& name, const Style& style) {
       name, style.colour, next_element);
 }
 
+/// Where the line may lie, a shade of its colour.
+std::string band(const std::string& name, const Style& style) {
+  return fmt::format("{} using 1:3:4 with filledcurves lc rgb '{}' fs transparent solid 0.2 noborder", name,
+                     style.colour);
+}
+
 std::string draw_panel(const FigureData& data, const Layout& layout, std::size_t index) {
   const PanelLayout& place = layout.panels[index];
   std::string script = margins(page_of(layout), layout.left, Layout::width - Layout::right, place.top, place.bottom);
   script += x_ticks(layout, index + 1 == layout.panels.size());
+  std::string bands;  // behind all lines
   std::string elements;
   for (const FigureLine& line : data.panels[index].lines) {
     const bool any = std::any_of(line.points.begin(), line.points.end(),
@@ -181,9 +191,11 @@ std::string draw_panel(const FigureData& data, const Layout& layout, std::size_t
     const std::string name = fmt::format("$panel{}_group{}_metric{}", index, line.group, line.metric);
     const Style style = line_style(data, line.group, line.metric);
     script += data_block(name, data, layout, line);
-    append(elements, next_element, bars(name, style));
-    append(elements, next_element, marked_line(name + " using 1:2 with lines", name, style));
+    if (data.style == FigureStyle::Marks) append(elements, next_element, bars(name, style));
+    if (data.style == FigureStyle::Bands) append(bands, next_element, band(name, style));
+    append(elements, next_element, drawn_line(data, name + " using 1:2 with lines", name, style));
   }
+  if (!bands.empty()) elements = bands + std::string(next_element) + elements;
   return script + plot_command(elements);
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "results/axis_values.hpp"
 #include "results/text.hpp"
 
 namespace ridgeloc::results {
@@ -196,12 +197,14 @@ void write_figures(hdf5::File& file, const std::vector<FigureSpec>& figures) {
     file.create_group(group);
     file.write_attribute(group, "name", figure.name);
     file.write_attribute(group, "title", figure.title);
+    file.write_attribute(group, "kind", figure.kind);
     file.write_attribute(group, "x", figure.x);
     file.write_attribute(group, "y", figure.y);
     file.write_attribute(group, "statistic", figure.statistic);
     file.write_attribute(group, "group", figure.group);
     file.write_attribute(group, "facet", figure.facet);
     file.write_attribute(group, "methods", figure.methods);
+    file.write_attribute(group, "where", axis_values_texts(figure.where));
     file.write_attribute(group, "log_y", std::uint64_t{figure.log_y});
   }
 }
@@ -213,12 +216,16 @@ std::vector<FigureSpec> read_figures(const hdf5::File& file) {
     FigureSpec figure;
     figure.name = file.text_attribute(group, "name");
     figure.title = file.text_attribute(group, "title");
+    if (file.has_attribute(group, "kind")) figure.kind = file.text_attribute(group, "kind");  // since version 1.2
     figure.x = file.text_attribute(group, "x");
     figure.y = file.texts_attribute(group, "y");
     figure.statistic = file.text_attribute(group, "statistic");
     figure.group = file.texts_attribute(group, "group");
     figure.facet = file.text_attribute(group, "facet");
     figure.methods = file.texts_attribute(group, "methods");
+    if (file.has_attribute(group, "where")) {  // since version 1.2
+      for (const std::string& text : file.texts_attribute(group, "where")) add_axis_values(figure.where, text);
+    }
     figure.log_y = file.number_attribute(group, "log_y") != 0;
     figures.push_back(std::move(figure));
   }

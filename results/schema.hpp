@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -67,16 +68,22 @@ struct Schema {
   std::size_t statuses = 0;  ///< how many of the events are statuses
 };
 
-/// A figure asked for in the study file.
+/// Values of axes by the axis' name, as `factor_text` writes them: stands for the cells that have one of these on each
+/// of the axes.
+using AxisValues = std::map<std::string, std::vector<std::string>>;
+
+/// A figure asked for in the study file, or on the command line.
 struct FigureSpec {
   std::string name;  ///< file name without extension
   std::string title;
-  std::string x;                     ///< a sweep axis
+  std::string kind = "curve";        ///< or "ecdf" or "histogram": how the values of one metric are distributed
+  std::string x;                     ///< a sweep axis; of distributions empty
   std::vector<std::string> y;        ///< metrics or events
   std::string statistic;             ///< "mean", "median" or "rms"; empty: the metric's leading one
   std::vector<std::string> group;    ///< axes or "method": one line per combination
   std::string facet;                 ///< axis or "method": one panel per value; empty: one panel
   std::vector<std::string> methods;  ///< restricts to these labels; empty: all that have the metric
+  AxisValues where;                  ///< draws these cells alone; empty: all
   bool log_y = false;
 };
 

@@ -24,6 +24,15 @@ bool is_plain(double value, int decimals) {
   return std::abs(value) < largest_plain && decimals <= most_decimals;
 }
 
+/// An error below the rounding of the value says that there is none.
+bool is_exact(double value, double error) {
+  return error <= std::abs(value) * std::numeric_limits<double>::epsilon();
+}
+
+int common_exponent(double value, double error) {
+  return static_cast<int>(std::floor(std::log10(std::max(std::abs(value), error))));
+}
+
 }  // namespace
 
 std::string factor_text(const FactorValue& value) {
@@ -49,18 +58,30 @@ std::string cell_text(const Header& header, std::size_t cell) {
 std::string text_with_error(double value, double error) {
   if (std::isnan(value)) return "-";
   if (std::isnan(error)) return fmt::format("{:.4g} ± ?", value);
-  // An error below the rounding of the value says that there is none.
-  const bool is_exact = error <= std::abs(value) * std::numeric_limits<double>::epsilon();
-  if (is_exact || !std::isfinite(error) || !std::isfinite(value)) {
-    return fmt::format("{:.6g} ± {:.2g}", value, is_exact ? 0.0 : error);
+  if (is_exact(value, error) || !std::isfinite(error) || !std::isfinite(value)) {
+    return fmt::format("{:.6g} ± {:.2g}", value, is_exact(value, error) ? 0.0 : error);
   }
   const int decimals = decimals_for(error);
   if (is_plain(value, decimals)) return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, error, decimals);
-  const int exponent = static_cast<int>(std::floor(std::log10(std::max(std::abs(value), error))));
+  const int exponent = common_exponent(value, error);
   const double scale = std::pow(10.0, -exponent);
   const int scaled_decimals = decimals_for(error * scale);
   return fmt::format("({:.{}f} ± {:.{}f})e{:+03}", value * scale, scaled_decimals, error * scale, scaled_decimals,
                      exponent);
+}
+
+std::string text_with_digits(double value, double error) {
+  if (std::isnan(value)) return "-";
+  if (!std::isfinite(value) || is_exact(value, error)) return fmt::format("{:.6g}", value);
+  if (!std::isfinite(error)) return fmt::format("{:.4g}({})", value, std::isnan(error) ? "?" : "inf");
+  const auto digits = [](double v, double e) {
+    const int decimals = decimals_for(e);
+    return fmt::format("{:.{}f}({:.0f})", v, decimals, e * std::pow(10.0, decimals));
+  };
+  if (is_plain(value, decimals_for(error))) return digits(value, error);
+  const int exponent = common_exponent(value, error);
+  const double scale = std::pow(10.0, -exponent);
+  return fmt::format("{}e{:+03}", digits(value * scale, error * scale), exponent);
 }
 
 std::string text_with_interval(double value, double lo, double hi) {

@@ -21,6 +21,10 @@ std::string cell_text(const Header& header, std::size_t cell);
 /// error that is not known, "-" for a value that is not.
 std::string text_with_error(double value, double error);
 
+/// "0.1352(12)": the error in units of the value's last digit, to two significant digits; "1.352(12)e-09" where that is
+/// shorter. "2.5(?)" where the error is not known, "2.5" where there is none, "-" for a value that is not known.
+std::string text_with_digits(double value, double error);
+
 /// "0.970 [0.915, 0.990]", to the second significant digit of half the interval's width.
 std::string text_with_interval(double value, double lo, double hi);
 

@@ -23,13 +23,6 @@ std::string short_hash(const std::string& content) {
   return results::sha256_hex(content).substr(0, short_hash_digits);
 }
 
-results::FactorValue factor_value(const Value& value) {
-  if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;
-  if (const auto* real = std::get_if<double>(&value)) return *real;
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  return to_toml(value);
-}
-
 /// Groups of axes that move together: each zipped group, and every other axis for itself, by first axis.
 std::vector<std::vector<std::size_t>> axis_groups(const Study& study) {
   const auto group_of = [&](const std::string& name) {
@@ -138,8 +131,8 @@ results::Header make_header(const Study& study, const std::vector<Cell>& cells, 
   for (const Comparison& comparison : study.comparisons) {
     std::array<std::size_t, 2> pair{};
     for (std::size_t i = 0; i < pair.size(); ++i)
-      pair[i] = static_cast<std::size_t>(
-          std::ranges::find(study.methods, comparison[i], &Method::label) - study.methods.begin());
+      pair[i] = static_cast<std::size_t>(std::ranges::find(study.methods, comparison[i], &Method::label) -
+                                         study.methods.begin());
     const std::string content = fmt::format("{} - {}", header.methods[pair[0]].hash, header.methods[pair[1]].hash);
     header.methods.push_back({label_of(comparison), short_hash(content),
                               fmt::format("{} minus {}, trial by trial", comparison[0], comparison[1]), pair});

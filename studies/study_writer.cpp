@@ -49,14 +49,29 @@ void write_sweep(const Study& study, std::string& out) {
   }
 }
 
-void write_figure(const results::FigureSpec& figure, std::string& out) {
+/// { range_sigma_m = [0.1, 0.3] }.
+std::string where_table(const Study& study, const results::AxisValues& where) {
+  std::vector<std::string> parts;
+  for (const auto& [name, texts] : where) {
+    const auto axis = std::ranges::find(study.sweep, name, [](const SweepAxis& a) { return a.setting->name; });
+    const bool is_text = axis->setting->kind == Kind::Choice;
+    parts.push_back(
+        fmt::format("{} = {}", name, is_text ? quoted_list(texts) : fmt::format("[{}]", fmt::join(texts, ", "))));
+  }
+  return fmt::format("{{ {} }}", fmt::join(parts, ", "));
+}
+
+void write_figure(const Study& study, const results::FigureSpec& figure, std::string& out) {
   out += fmt::format("\n[[figure]]\nname = {}\n", quoted(figure.name));
   if (!figure.title.empty()) out += fmt::format("title = {}\n", quoted(figure.title));
-  out += fmt::format("x = {}\ny = {}\n", quoted(figure.x), quoted_list(figure.y));
+  if (figure.kind != "curve") out += fmt::format("kind = {}\n", quoted(figure.kind));
+  if (!figure.x.empty()) out += fmt::format("x = {}\n", quoted(figure.x));
+  out += fmt::format("y = {}\n", quoted_list(figure.y));
   if (!figure.statistic.empty()) out += fmt::format("statistic = {}\n", quoted(figure.statistic));
   if (!figure.group.empty()) out += fmt::format("group = {}\n", quoted_list(figure.group));
   if (!figure.facet.empty()) out += fmt::format("facet = {}\n", quoted(figure.facet));
   if (!figure.methods.empty()) out += fmt::format("methods = {}\n", quoted_list(figure.methods));
+  if (!figure.where.empty()) out += fmt::format("where = {}\n", where_table(study, figure.where));
   if (figure.log_y) out += "log_y = true\n";
 }
 
@@ -102,7 +117,7 @@ std::string resolved_toml(const Study& study) {
   for (const Comparison& comparison : study.comparisons)
     out += fmt::format("\n[[compare]]\nmethod = {}\nwith = {}\n", quoted(comparison[0]), quoted(comparison[1]));
   if (study.stop) write_stop(*study.stop, out);
-  for (const results::FigureSpec& figure : study.figures) write_figure(figure, out);
+  for (const results::FigureSpec& figure : study.figures) write_figure(study, figure, out);
   return out;
 }
 

@@ -62,6 +62,13 @@ std::string to_toml(const Value& value) {
   return std::visit(Writer{}, value);
 }
 
+results::FactorValue factor_value(const Value& value) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;
+  if (const auto* real = std::get_if<double>(&value)) return *real;
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  return to_toml(value);
+}
+
 std::string accepted(const Setting& s) {
   switch (s.kind) {
     case Kind::Real:

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "results/schema.hpp"
+
 namespace ridgeloc::studies {
 
 /// A closed interval [low, high].
@@ -41,6 +43,9 @@ using Values = std::map<std::string, Value, std::less<>>;
 /// A value as it is written in a study file; equal values have equal texts and different ones different texts, so it
 /// also serves as the content that hashes are made of.
 std::string to_toml(const Value& value);
+
+/// A value as results know it; intervals as text.
+results::FactorValue factor_value(const Value& value);
 
 /// What a setting accepts.
 enum class Kind { Real, Integer, Choice, Range, Samples };

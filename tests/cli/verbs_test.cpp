@@ -148,6 +148,28 @@ TEST_CASE("export writes a row per trial with every metric") {
   CHECK(lines[41].starts_with("3,0.1,0,lm,"));
 }
 
+TEST_CASE("export writes LaTeX tables of cells by methods") {
+  const WithResult folder;
+  const std::string both = folder.ridgeloc("export result.h5 --latex").out;
+  CHECK(both.starts_with("% ridgeloc export result.h5 --latex\n% \\usepackage{booktabs}\n"));
+  CHECK(contains(both, "A small study: "));
+  CHECK(contains(both, "40 trials per cell, seed 2018, data "));
+  CHECK(contains(both, "\\label{tab:error_all_m}"));
+  CHECK(contains(both, "\\label{tab:converged}"));
+  const std::string one = folder.ridgeloc("export result.h5 --latex --metric gdop").out;
+  CHECK(one.starts_with("% ridgeloc export result.h5 --latex --metric gdop\n"));
+  CHECK(contains(one, "    points & range\\_sigma\\_m & scene \\\\\n"));
+  CHECK(lines_of(one).size() == 18);
+  REQUIRE(folder.ridgeloc("export result.h5 --latex -o t.tex").exit_code == 0);
+  CHECK(folder.read("t.tex") == both);
+
+  const auto unknown = folder.ridgeloc("export result.h5 --latex --metric convergd");
+  CHECK(unknown.exit_code == 2);
+  CHECK(contains(unknown.error, "did you mean \"converged\"?"));
+  CHECK(folder.ridgeloc("export result.h5 --latex --trials").exit_code == 2);
+  CHECK(contains(folder.ridgeloc("export result.h5 --metric gdop").error, "requires --latex"));
+}
+
 TEST_CASE("plot draws all figures, or one, in the formats asked for") {
   const WithResult folder;
   const auto all = folder.ridgeloc("plot result.h5 --format svg --format pdf");
@@ -200,6 +222,69 @@ TEST_CASE("the commands of a report do what they say") {
   const std::string command = "ridgeloc verify 'it'\\''s a result.h5'";
   CHECK(contains(page, command));
   CHECK(folder.ridgeloc(command.substr(std::string("ridgeloc ").size())).exit_code == 0);
+}
+
+TEST_CASE("plot draws a figure that is asked for instead of the study's") {
+  const WithResult folder;
+  // Lines are told apart by what the figure does not name: here by noise and method.
+  REQUIRE(folder.ridgeloc("plot result.h5 --y error_all_m").out == "error_all_m.svg\n");
+  const std::string all = folder.read("error_all_m.svg");
+  CHECK(contains(all, "number of points"));
+  CHECK(contains(all, "range_sigma_m = 0.3, rrr"));
+  REQUIRE(folder
+              .ridgeloc("plot result.h5 --y error_all_m --where range_sigma_m=0.30 --methods rrr --methods lm --log "
+                        "--title 'Noisy' -o one.svg")
+              .exit_code == 0);
+  const std::string one = folder.read("one.svg");
+  CHECK(contains(one, "Noisy"));
+  CHECK_FALSE(contains(one, "range_sigma_m"));
+  REQUIRE(folder
+              .ridgeloc("plot result.h5 --y error_m --y error_all_m --x range_sigma_m --group points --facet method "
+                        "--statistic rms --format png")
+              .out == "error_m-error_all_m.png\n");
+}
+
+TEST_CASE("plot draws distributions") {
+  const WithResult folder;
+  REQUIRE(folder.ridgeloc("plot result.h5 --y error_all_m --kind ecdf --where range_sigma_m=0.1 --facet method").out ==
+          "error_all_m-ecdf.svg\n");
+  CHECK(contains(folder.read("error_all_m-ecdf.svg"), "40 values per line; bands: 95 % intervals at each place"));
+  REQUIRE(folder.ridgeloc("plot result.h5 --y iterations --kind histogram -o h.svg").exit_code == 0);
+  CHECK(contains(folder.read("h.svg"), "share of the values per whole number"));
+}
+
+TEST_CASE("plot refuses what it cannot draw in one line, with the nearest name") {
+  const WithResult folder;
+  const struct {
+    const char* options;
+    const char* message;
+  } wrong[] = {
+      {"--y error_al_m", "nearest valid names: error_all_m"},
+      {"--y error_m --x point", "x = \"point\" is unknown; valid names: points"},
+      {"--y error_m --group metod", "valid names: method"},
+      {"--y error_m --methods rr", "valid names: rrr"},
+      {"--y error_m --where point=3", "where = \"point\" is unknown; valid names: points"},
+      {"--y error_m --where points=4", "where points = \"4\" is unknown; valid names: 3, 5"},
+      {"--y error_m --where points", "AXIS=VALUE"},
+      {"--y error_m --where points=3,", "AXIS=VALUE"},
+      {"--y error_m --statistic modus", "modus"},
+      {"--y error_m --figure rate", "excludes"},
+      {"--y error_m --kind ecdf --x points", "takes no x"},
+      {"--y converged --kind histogram", "is yes or no"},
+      {"--y error_x_m --kind ecdf", "negative values"},
+      {"--y error_m --kind edcf", "edcf"},
+      {"--x points", "requires --y"},
+      {"--where points=3", "requires --y"},
+      {"--log --figure rate", "requires --y"},
+  };
+  for (const auto& [options, message] : wrong) {
+    INFO(options);
+    const auto outcome = folder.ridgeloc(std::string("plot result.h5 ") + options);
+    CHECK(outcome.exit_code == 2);
+    CHECK(lines_of(outcome.error).size() == 1);
+    INFO(outcome.error);
+    CHECK(contains(outcome.error, message));
+  }
 }
 
 TEST_CASE("help and version are on standard output") {

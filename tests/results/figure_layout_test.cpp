@@ -77,6 +77,14 @@ TEST_CASE("a logarithmic range leaves out what is not positive") {
   CHECK(is_drawable(data.panels[0].lines[0].points[0], false));
 }
 
+TEST_CASE("long labels of a logarithmic axis have room beside it") {
+  FigureData data = two_lines({1.0, 2.0});
+  data.log_y = true;
+  const double left = figure_layout(data).left;
+  data.panels[0].lines[0].points[0].y = data.panels[0].lines[0].points[0].lo = 5e-5;
+  CHECK(figure_layout(data).left > left);  // 0.0001
+}
+
 TEST_CASE("tick labels that have no room are left out") {
   std::vector<double> dense;
   for (int i = 0; i < 60; ++i) dense.push_back(i);

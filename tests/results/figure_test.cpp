@@ -175,6 +175,18 @@ TEST_CASE("figures are drawn in all three formats and leave nothing else behind"
   CHECK(svg.find("range noise [m]") != std::string::npos);
 }
 
+TEST_CASE("distributions are drawn, with logarithmic shares too") {
+  const Folder folder;
+  FigureSpec spec = synthetic_spec();
+  spec.x.clear();
+  spec.group = {"points", "range_sigma_m"};
+  spec.kind = GENERATE("ecdf", "histogram");
+  spec.methods = {"rr"};
+  spec.log_y = GENERATE(false, true);
+  draw_figure(synthetic_summary(), spec, folder.path / "figure.svg");
+  CHECK(content(folder.path / "figure.svg").find("share of the values") != std::string::npos);
+}
+
 TEST_CASE("a figure whose points are all infinite still shows its axes") {
   const Folder folder;
   Summary summary = synthetic_summary();

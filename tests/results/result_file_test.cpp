@@ -81,16 +81,20 @@ TEST_CASE("a sealed result gives back its header") {
   CHECK(read.methods[1].label == header.methods[1].label);
   CHECK(read.methods[1].hash == header.methods[1].hash);
   CHECK(read.methods[1].description == header.methods[1].description);
-  REQUIRE(read.figures.size() == 1);
+  REQUIRE(read.figures.size() == 2);
+  CHECK(read.figures[1].kind == "ecdf");
+  CHECK(read.figures[1].x.empty());
   const FigureSpec& figure = read.figures[0];
   CHECK(figure.name == "error");
   CHECK(figure.title == "Error");
+  CHECK(figure.kind == "curve");
   CHECK(figure.x == "points");
   CHECK(figure.y == header.figures[0].y);
   CHECK(figure.statistic == "median");
   CHECK(figure.group == header.figures[0].group);
   CHECK(figure.facet.empty());
   CHECK(figure.methods.empty());
+  CHECK(figure.where == header.figures[0].where);
   CHECK(figure.log_y);
 }
 

@@ -98,8 +98,13 @@ inline Header sample_header() {
   figure.y = {"error_m", "success"};
   figure.statistic = "median";
   figure.group = {"sigma_m", "method"};
+  figure.where = {{"points", {"3", "7"}}};
   figure.log_y = true;
-  header.figures = {figure};
+  FigureSpec distribution;
+  distribution.name = "distribution";
+  distribution.kind = "ecdf";
+  distribution.y = {"error_m"};
+  header.figures = {figure, distribution};
   return header;
 }
 

@@ -45,6 +45,18 @@ TEST_CASE("errors that are zero, unknown or infinite are said") {
   CHECK(text_with_error(2.5, infinity) == "2.5 ± inf");
 }
 
+TEST_CASE("an error in units of the last digit") {
+  CHECK(text_with_digits(0.135234, 0.00123) == "0.1352(12)");
+  CHECK(text_with_digits(12.5, 0.996) == "12.5(10)");
+  CHECK(text_with_digits(1234.4, 56.0) == "1234(56)");
+  CHECK(text_with_digits(1.352e-9, 1.2e-11) == "1.352(12)e-09");
+  CHECK(text_with_digits(2.5, 0.0) == "2.5");
+  CHECK(text_with_digits(2.5, nan) == "2.5(?)");
+  CHECK(text_with_digits(2.5, infinity) == "2.5(inf)");
+  CHECK(text_with_digits(infinity, infinity) == "inf");
+  CHECK(text_with_digits(nan, 0.1) == "-");
+}
+
 TEST_CASE("a value with its interval") {
   CHECK(text_with_interval(0.97, 0.9152, 0.9897) == "0.970 [0.915, 0.990]");
   CHECK(text_with_interval(2.0, 2.0, 2.0) == "2 [2, 2]");

@@ -1,0 +1,138 @@
+#include "app/options.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <thread>
+
+#include "core/isa.hpp"
+#include "results/axis_values.hpp"
+
+namespace ridgeloc::app {
+
+namespace {
+
+constexpr int max_threads = 1024;
+
+/// "1e6" as TOML would have it, "1000000"; other texts unchanged, for the study reader to judge.
+std::string whole_number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool exact = end != text.c_str() && *end == '\0' && value == std::floor(value) && std::fabs(value) < 1e15;
+  return exact ? fmt::format("{:.0f}", value) : text;
+}
+
+/// What describes one figure. All of it needs --y, without which the figures of the study are drawn.
+void add_figure_options(CLI::App& verb, results::FigureSpec& figure, CLI::Option* chosen) {
+  CLI::Option* y =
+      add_names(verb, "--y", figure.y, "draw a figure of this metric or event instead of the study's; may be repeated")
+          ->excludes(chosen);
+  const auto text = [&](const char* option, std::string& value, const char* description) {
+    return verb.add_option(option, value, description)->needs(y);
+  };
+  text("--kind", figure.kind, "curve over an axis, or the distribution of one metric: ecdf or histogram")
+      ->check(CLI::IsMember({"curve", "ecdf", "histogram"}));
+  text("--x", figure.x, "horizontal axis (default: the first one swept)")->type_name("AXIS");
+  add_names(verb, "--group", figure.group,
+            "axis or \"method\", a line for each of its values; may be repeated (default: what tells lines apart)")
+      ->needs(y);
+  text("--facet", figure.facet, "axis or \"method\", a panel for each of its values")->type_name("NAME");
+  text("--statistic", figure.statistic, "mean, median or rms (default: that which the metric leads with)")
+      ->check(CLI::IsMember({"mean", "median", "rms"}));
+  add_names(verb, "--methods", figure.methods, "method to draw; may be repeated (default: all)")->needs(y);
+  verb.add_option_function<std::vector<std::string>>(
+          "--where",
+          [&figure](const std::vector<std::string>& items) {
+            for (const std::string& item : items) results::add_axis_values(figure.where, item);
+          },
+          "only cells with these values of an axis, for example range_sigma_m=0.1,0.3; may be repeated")
+      ->type_name("AXIS=VALUE,...")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false)
+      ->needs(y);
+  verb.add_flag("--log", figure.log_y, "logarithmic vertical axis")->needs(y);
+  text("--title", figure.title, "title of the figure")->type_name("TEXT");
+}
+
+}  // namespace
+
+void add_threads(CLI::App& verb, int& threads) {
+  verb.add_option("--threads", threads, "threads to use")
+      ->default_val(std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, max_threads))
+      ->check(CLI::Range(1, max_threads));
+}
+
+CLI::Option* add_names(CLI::App& verb, const char* option, std::vector<std::string>& names, const char* description,
+                       const char* value_name) {
+  return verb.add_option(option, names, description)
+      ->type_name(value_name)
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+void add_study_options(CLI::App& verb, StudyOptions& options) {
+  verb.add_option("STUDY", options.studies, "study files, or names from the catalog (ridgeloc list studies)")
+      ->required();
+  verb.add_option_function<std::string>(
+          "--trials", [&options](const std::string& n) { options.overrides.push_back("trials=" + whole_number(n)); },
+          "trials per cell (10000, 1e6)")
+      ->type_name("N");
+  verb.add_option_function<std::string>(
+          "--seed", [&options](const std::string& n) { options.overrides.push_back("seed=" + whole_number(n)); },
+          "seed of all random numbers")
+      ->type_name("N");
+  verb.add_option_function<std::string>(
+          "--audit", [&options](const std::string& f) { options.overrides.push_back("audit=" + f); },
+          "share of the trials that Ceres solves again, 0 to 1; 0 switches the audit off")
+      ->type_name("F");
+  verb.add_option_function<std::vector<std::string>>(
+          "--set",
+          [&options](const std::vector<std::string>& items) {
+            options.overrides.insert(options.overrides.end(), items.begin(), items.end());
+          },
+          "overrides a key of the study, for example scene.depth_m=[2,15] or method.0.k=fixed; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  add_threads(verb, options.threads);
+  verb.add_option("--isa", options.isa,
+                  "instruction set to compute with; without it the one that a stopped run has begun with, else the "
+                  "widest that this processor has")
+      ->check(CLI::IsMember(std::vector<std::string>(core::isa_names.begin(), core::isa_names.end())));
+}
+
+void add_export_options(CLI::App& verb, ExportOptions& options) {
+  verb.add_option("RESULT", options.result, "result file")->required();
+  CLI::Option* csv = verb.add_flag("--csv", options.csv, "comma-separated values (the default)");
+  CLI::Option* trials = verb.add_flag("--trials", options.trials, "a row per kept trial instead");
+  CLI::Option* failures =
+      verb.add_flag("--failures", options.failures, "a row per failed trial that is listed instead");
+  CLI::Option* study = verb.add_flag("--study", options.study, "the complete study instead, as a file to run");
+  CLI::Option* latex = verb.add_flag("--latex", options.latex, "tables for LaTeX (booktabs): cells by methods")
+                           ->excludes(csv)
+                           ->excludes(trials)
+                           ->excludes(failures)
+                           ->excludes(study);
+  add_names(verb, "--metric", options.metrics,
+            "metric or event of a LaTeX table; may be repeated (default: those of the study's figures)")
+      ->needs(latex);
+  verb.add_option("-o", options.output, "file to write")->type_name("FILE");
+}
+
+void add_plot_options(CLI::App& verb, PlotOptions& options) {
+  verb.add_option("RESULT", options.result, "result file")->required();
+  verb.add_option("-o", options.output, "folder, or a file for one figure")->type_name("PATH");
+  CLI::Option* chosen =
+      add_names(verb, "--figure", options.figures, "name of a figure of the study; may be repeated (default: all)");
+  add_names(verb, "--format", options.formats, "svg, pdf or png; may be repeated (default: svg)", "FORMAT")
+      ->check(CLI::IsMember({"svg", "pdf", "png"}));
+  add_figure_options(verb, options.asked, chosen);
+}
+
+}  // namespace ridgeloc::app
