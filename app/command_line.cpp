@@ -201,6 +201,7 @@ class CommandLine {
     export_verb.add_option("RESULT", export_.result, "result file")->required();
     export_verb.add_flag("--csv", export_.csv, "comma-separated values (the default)");
     export_verb.add_flag("--trials", export_.trials, "a row per kept trial instead");
+    export_verb.add_flag("--study", export_.study, "the complete study instead, as a file to run");
     export_verb.add_flag("--failures", export_.failures, "a row per failed trial that is listed instead");
     export_verb.add_option("-o", export_.output, "file to write")->type_name("FILE");
 
@@ -217,6 +218,12 @@ class CommandLine {
         ->expected(1)
         ->take_all()
         ->allow_extra_args(false);
+
+    CLI::App& report_verb = verb("report", "write results as one HTML page that opens anywhere, offline",
+                                 [this] { return report(report_); });
+    report_verb.add_option("RESULT", report_.results, "result files")->required();
+    report_verb.add_option("-o", report_.output, "file to write (default: NAME.html, of several results report.html)")
+        ->type_name("FILE");
   }
 
   int run_verb(int argc, char** argv) {
@@ -270,6 +277,7 @@ class CommandLine {
   ReplayOptions replay_;
   ExportOptions export_;
   PlotOptions plot_;
+  ReportOptions report_;
 };
 
 }  // namespace

@@ -12,8 +12,14 @@
 namespace ridgeloc::app {
 
 int export_result(const ExportOptions& options) {
-  if (options.failures && options.trials) {
-    throw core::InputError("--trials and --failures are two tables; ask for one at a time");
+  if (int{options.failures} + int{options.trials} + int{options.study} > 1) {
+    throw core::InputError("--trials, --failures and --study are three things; ask for one at a time");
+  }
+  if (options.study) {
+    const results::Header header =
+        read_probed(options.result, [&] { return results::read_result_header(options.result); });
+    write_output(options.output, [&](std::ostream& out) { out << header.study_toml; });
+    return Success;
   }
   if (options.failures) {
     const auto [header, failures] = read_probed(options.result, [&] {

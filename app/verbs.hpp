@@ -91,6 +91,7 @@ struct ExportOptions {
   bool csv = true;
   bool trials = false;    ///< rows per trial instead of per metric
   bool failures = false;  ///< rows per failed trial that is listed
+  bool study = false;     ///< the study file that the result holds
 };
 int export_result(const ExportOptions& options);
 
@@ -101,5 +102,11 @@ struct PlotOptions {
   std::vector<std::string> figures;  ///< names; empty: all
 };
 int plot(const PlotOptions& options);
+
+struct ReportOptions {
+  std::vector<std::string> results;
+  std::string output;  ///< empty: NAME.html here, report.html for several results
+};
+int report(const ReportOptions& options);
 
 }  // namespace ridgeloc::app

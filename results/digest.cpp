@@ -13,6 +13,8 @@
 namespace ridgeloc::results {
 namespace {
 
+using RawDigest = std::array<unsigned char, 32>;
+
 void require_crypto(int returned) {
   if (returned != 1) throw std::runtime_error("SHA-256 is not available in the installed OpenSSL");
 }
@@ -42,7 +44,7 @@ void Sha256::update(std::string_view text) {
 }
 
 std::string Sha256::hex() {
-  std::array<unsigned char, 32> raw{};
+  RawDigest raw{};
   unsigned int size = 0;
   require_crypto(EVP_DigestFinal_ex(state_->context.get(), raw.data(), &size));
   constexpr std::string_view digits = "0123456789abcdef";
@@ -63,6 +65,15 @@ std::string sha256_hex(std::span<const std::byte> bytes) {
 
 std::string sha256_hex(std::string_view text) {
   return sha256_hex(std::as_bytes(std::span(text)));
+}
+
+std::string sha256_base64(std::string_view text) {
+  RawDigest raw{};
+  unsigned int size = 0;
+  require_crypto(EVP_Digest(text.data(), text.size(), raw.data(), &size, EVP_sha256(), nullptr));
+  std::array<unsigned char, 4 * ((raw.size() + 2) / 3) + 1> encoded{};  // with the zero that the library adds
+  const int length = EVP_EncodeBlock(encoded.data(), raw.data(), static_cast<int>(raw.size()));
+  return {encoded.begin(), encoded.begin() + length};
 }
 
 struct Digest64::State {

@@ -30,6 +30,9 @@ class Sha256 {
 std::string sha256_hex(std::span<const std::byte> bytes);
 std::string sha256_hex(std::string_view text);
 
+/// SHA-256 in base64 (RFC 4648), as content security policies have it.
+std::string sha256_base64(std::string_view text);
+
 /// 64-bit fingerprint (XXH3 with seed 0) of bytes that arrive in pieces: fast enough for every column of
 /// every block.
 class Digest64 {

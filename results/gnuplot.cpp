@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
+#include "results/shell.hpp"
 
 namespace ridgeloc::results {
 namespace {
@@ -43,12 +44,6 @@ class ScriptFile {
   std::string path_;
 };
 
-std::string shell_quoted(std::string_view text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 /// A message of several lines as one.
 std::string one_line(const std::string& output) {
   std::string line;
@@ -70,7 +65,7 @@ void run_gnuplot(const std::string& script) {
   const ScriptFile file(script);
   // The script goes through a file so that the pipe is free for messages, and a missing gnuplot raises no
   // SIGPIPE.
-  const std::string command = "gnuplot --default-settings " + shell_quoted(file.path()) + " 2>&1";
+  const std::string command = "gnuplot --default-settings " + shell_word(file.path()) + " 2>&1";
   std::FILE* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) throw core::IoError("cannot start gnuplot: the system is out of processes or memory");
   std::string output;

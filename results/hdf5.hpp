@@ -101,12 +101,14 @@ class File {
   void write_attribute(const std::string& object, const std::string& name, std::uint64_t value);
   void write_attribute(const std::string& object, const std::string& name, const std::vector<std::uint64_t>& value);
   void write_attribute(const std::string& object, const std::string& name, double value);
+  /// Sorted.
+  std::vector<std::string> attribute_names(const std::string& object) const;
   bool has_attribute(const std::string& object, const std::string& name) const;
   std::string text_attribute(const std::string& object, const std::string& name) const;
   std::vector<std::string> texts_attribute(const std::string& object, const std::string& name) const;
   std::uint64_t number_attribute(const std::string& object, const std::string& name) const;
-  std::vector<std::uint64_t> numbers_attribute(const std::string& object, const std::string& name) const;
   double real_attribute(const std::string& object, const std::string& name) const;
+  std::vector<std::uint64_t> numbers_attribute(const std::string& object, const std::string& name) const;
 
   /// Makes a dataset a dimension scale (an axis with values) and attaches it to a dimension of another
   /// dataset.

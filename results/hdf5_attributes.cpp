@@ -88,6 +88,17 @@ void File::write_attribute(const std::string& object, const std::string& name, d
   hdf5::write(place, H5T_IEEE_F64LE, scalar_space(place), &value);
 }
 
+std::vector<std::string> File::attribute_names(const std::string& object) const {
+  std::vector<std::string> names;
+  const auto collect = [](hid_t, const char* name, const H5A_info_t*, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  if (H5Aiterate_by_name(id_, object.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names, H5P_DEFAULT) < 0)
+    fail("read", path_, "the attributes of " + object);
+  return names;
+}
+
 bool File::has_attribute(const std::string& object, const std::string& name) const {
   const htri_t is_there = H5Aexists_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT);
   if (is_there < 0) fail("read", path_, Place{id_, path_, object, name}.words());

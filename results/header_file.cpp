@@ -229,6 +229,7 @@ std::vector<FigureSpec> read_figures(const hdf5::File& file) {
 
 void write_header(hdf5::File& file, const Header& header) {
   file.write_attribute("/", "title", header.title);
+  if (!header.aims.empty()) file.write_attribute("/", "aims", header.aims);
   file.write_attribute("/", "experiment", header.experiment);
   file.write_attribute("/", "experiment_version", static_cast<std::uint64_t>(header.experiment_version));
   file.write_attribute("/", "study_hash", header.study_hash);
@@ -246,6 +247,7 @@ void write_header(hdf5::File& file, const Header& header) {
 Header read_header(const hdf5::File& file) {
   Header header;
   header.title = file.text_attribute("/", "title");
+  if (file.has_attribute("/", "aims")) header.aims = file.text_attribute("/", "aims");
   header.experiment = file.text_attribute("/", "experiment");
   header.experiment_version = static_cast<int>(file.number_attribute("/", "experiment_version"));
   header.study_hash = file.text_attribute("/", "study_hash");

@@ -81,8 +81,10 @@ double root_mean_square_error(const Moments& moments) {
 Interval root_mean_square_interval(const Moments& moments) {
   const MeanSquare square = mean_square(moments);
   if (std::isnan(square.error)) return {nan, nan};
-  const double half = student_quantile_975(moments.n - 1) * square.error;
-  return {std::sqrt(std::max(square.value - half, 0.0)), std::sqrt(square.value + half)};
+  if (square.value == 0.0) return {0.0, 0.0};
+  const double half = student_quantile_975(moments.n - 1) * square.error / (2.0 * square.value);
+  const double rms = std::sqrt(square.value);
+  return {rms * std::exp(-half), rms * std::exp(half)};
 }
 
 Interval wilson_interval(std::uint64_t successes, std::uint64_t trials) {

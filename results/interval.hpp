@@ -46,7 +46,7 @@ double root_mean_square(const Moments& moments);
 /// four moments, so that it holds for any distribution with a fourth moment. 0 where all v are 0, NaN for n < 2.
 double root_mean_square_error(const Moments& moments);
 
-/// Roots of the ends of the interval of the mean of v^2, t of n - 1 degrees of freedom; the lower at least 0.
+/// R exp(-+ t s(R) / R), t of n - 1 degrees of freedom: symmetric in the logarithm, since the mean of v^2 is skewed.
 Interval root_mean_square_interval(const Moments& moments);
 
 /// Interval of a probability after `successes` of `trials` (Wilson 1927); NaN for no trials.
@@ -56,8 +56,8 @@ Interval wilson_interval(std::uint64_t successes, std::uint64_t trials);
 /// -log 0.05 rounded up), at most 1; NaN for no trials.
 double upper_bound_of_none(std::uint64_t trials);
 
-/// Interval of the q quantile between the order statistics of rank n q -+ z sqrt(n q (1 - q)), widened to the
-/// enclosing ranks and read from the histogram (linear within a bin, like `Histogram::quantile`). NaN when
+/// Interval of the q quantile between the order statistics of rank n q -+ z sqrt(n q (1 - q)), rounded outwards to whole
+/// ranks and read from the histogram (linear within a bin, like `Histogram::quantile`). NaN when
 /// empty; where a rank lies outside the sample, the end of the histogram stands for it.
 Interval quantile_interval(const Histogram& histogram, double q);
 

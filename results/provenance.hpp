@@ -26,6 +26,9 @@ struct Provenance {
   std::vector<std::string> contributions;
 };
 
+/// What a sealed result says of itself; libraries and phases by name. Throws core::InputError if it cannot be read.
+Provenance read_provenance(const std::filesystem::path& result);
+
 /// The contributions of a sealed result, and a line for itself: which program computed it, where and when. Throws
 /// core::InputError if it cannot be read.
 std::vector<std::string> contributions_of(const std::filesystem::path& result);

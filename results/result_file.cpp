@@ -161,21 +161,37 @@ BlockSource read_result_blocks(const fs::path& path, const Header& wanted) {
   });
 }
 
-std::vector<std::string> contributions_of(const fs::path& path) {
+Provenance read_provenance(const fs::path& path) {
   return with_result(path, [](const hdf5::File& file) {
-    const auto text = [&](const char* name) { return file.text_attribute("/provenance", name); };
-    std::vector<std::string> lines;
-    if (file.has_attribute("/provenance", "contributions"))
-      lines = file.texts_attribute("/provenance", "contributions");
-    const bool dirty = file.number_attribute("/provenance", "git_dirty") != 0;
-    const std::uint64_t threads = file.number_attribute("/provenance", "threads");
-    // A merge computes nothing: its threads are 0, and its inputs stand in its lines.
-    if (threads > 0)
-      lines.push_back(fmt::format("ridgeloc {} (commit {}{}), {}, {} threads, {}", text("program_version"),
-                                  text("git_commit"), dirty ? ", changed" : "", text("processor"), threads,
-                                  text("date")));
-    return lines;
+    const std::string group = "/provenance";
+    Provenance provenance;
+    provenance.program_version = file.text_attribute(group, "program_version");
+    provenance.git_commit = file.text_attribute(group, "git_commit");
+    provenance.git_dirty = file.number_attribute(group, "git_dirty") != 0;
+    provenance.compiler = file.text_attribute(group, "compiler");
+    provenance.flags = file.text_attribute(group, "flags");
+    provenance.processor = file.text_attribute(group, "processor");
+    provenance.threads = static_cast<unsigned>(file.number_attribute(group, "threads"));
+    provenance.date = file.text_attribute(group, "date");
+    if (file.has_attribute(group, "contributions"))  // since version 1.2
+      provenance.contributions = file.texts_attribute(group, "contributions");
+    for (const std::string& name : file.attribute_names(group + "/libraries"))
+      provenance.libraries.emplace_back(name, file.text_attribute(group + "/libraries", name));
+    for (const std::string& phase : file.attribute_names(group + "/wall_time_s"))
+      provenance.wall_time_s.emplace_back(phase, file.real_attribute(group + "/wall_time_s", phase));
+    return provenance;
   });
+}
+
+std::vector<std::string> contributions_of(const fs::path& path) {
+  const Provenance found = read_provenance(path);
+  std::vector<std::string> lines = found.contributions;
+  // A merge computes nothing: its threads are 0, and its inputs stand in its lines.
+  if (found.threads > 0)
+    lines.push_back(fmt::format("ridgeloc {} (commit {}{}), {}, {} threads, {}", found.program_version,
+                                found.git_commit, found.git_dirty ? ", changed" : "", found.processor, found.threads,
+                                found.date));
+  return lines;
 }
 
 void read_completely(const fs::path& path) {
@@ -214,6 +230,21 @@ Ledger read_result_ledger(const fs::path& path) {
 
 TrialTable read_trials(const fs::path& path, std::size_t cell, std::size_t method) {
   return with_result(path, [&](const hdf5::File& file) { return read_table(file, cell, method); });
+}
+
+void visit_trials(const fs::path& path, std::size_t metric, const TrialVisitor& visit) {
+  with_result(path, [&](const hdf5::File& file) {
+    const Header header = read_header(file);
+    for (std::size_t cell = 0; cell < header.cells.size(); ++cell)
+      for (std::size_t method = 0; method < header.methods.size(); ++method) {
+        const std::string group = layout::trials_group(cell, header.methods[method].label);
+        const std::string column = fmt::format("{}/{}", group, header.schema.metrics.at(metric).name);
+        if (!file.contains(group) || !file.contains(column)) continue;
+        std::optional<std::size_t> trials;
+        const std::vector<double> values = read_column<double>(file, column, trials);
+        visit(cell, method, trial_numbers(file, group, header, values.size()), values);
+      }
+  });
 }
 
 std::string data_digest(const fs::path& path) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,12 @@ struct TrialTable {
 /// Without kept trials the table is empty. Checks only that the values are there: whether they are those that were
 /// written is for `data_digest` to find out, once for all tables.
 TrialTable read_trials(const std::filesystem::path& path, std::size_t cell, std::size_t method);
+
+/// Calls `visit` with the kept trials of each method in each cell that report a metric, given by its index: their
+/// numbers and values.
+using TrialVisitor = std::function<void(std::size_t cell, std::size_t method, const std::vector<std::uint64_t>& trials,
+                                        const std::vector<double>& values)>;
+void visit_trials(const std::filesystem::path& path, std::size_t metric, const TrialVisitor& visit);
 
 /// SHA-256 over the names, types, shapes and values of all datasets except those under /provenance, in name
 /// order: two results with equal digests hold the same numbers. Computed from the values, and the same as when the

@@ -86,6 +86,7 @@ inline constexpr const char* mixed_isa = "mixed";
 /// Everything that says what a result is, apart from its numbers.
 struct Header {
   std::string title;
+  std::string aims;  ///< what the study is to find out; may be empty
   std::string experiment;
   int experiment_version = 0;
   std::string study_hash;

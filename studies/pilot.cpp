@@ -2,10 +2,22 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "studies/audit.hpp"
 
 namespace ridgeloc::studies {
+
+namespace {
+
+std::uint64_t predicted(const Study& study, const Plan& plan, std::uint64_t trials, results::BlockSink& sink) {
+  std::vector<results::Statistics> statistics(plan.header.methods.size());
+  for (results::Row& row : sink.take_rows()) statistics[row.method] = std::move(row.statistics);
+  const Precision precision = precision_of(*study.stop, plan.header, statistics);
+  return predicted_trials(*study.stop, precision, trials, plan.header.block_trials);
+}
+
+}  // namespace
 
 Pilot run_pilot(const Study& study, const Plan& plan, double budget_s) {
   using Clock = std::chrono::steady_clock;
@@ -18,6 +30,7 @@ Pilot run_pilot(const Study& study, const Plan& plan, double budget_s) {
   for (std::uint64_t count = 16; count <= plan.header.block_trials && seconds_since(begin) < budget_s; count *= 4) {
     double seconds = 0.0;
     std::uint64_t trials = 0;
+    pilot.predicted_trials.clear();
     for (const Cell& cell : plan.cells) {
       const auto cell_begin = Clock::now();
       // Of the second block: the first trials of all are audited, which would cost more than the rest.
@@ -26,6 +39,7 @@ Pilot run_pilot(const Study& study, const Plan& plan, double budget_s) {
                                   {plan.header.block_trials, static_cast<std::size_t>(count)}, *workspace, sink);
       seconds += seconds_since(cell_begin);
       trials += count;
+      if (study.stop) pilot.predicted_trials.push_back(predicted(study, plan, count, sink));
     }
     // The last round is the longest and so the least disturbed by what happens once.
     pilot.seconds_per_trial = seconds / static_cast<double>(trials);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "studies/plan.hpp"
 #include "studies/study.hpp"
 
@@ -10,6 +13,8 @@ struct Pilot {
   double seconds_per_trial = 0.0;  ///< of one thread, averaged over the cells
   double seconds_per_cell = 0.0;   ///< what the audit of the first trials adds, of the first cell
   std::uint64_t trials = 0;        ///< trials that were run to find out
+  /// With a stop rule: the trials at which each cell is likely to end, judged by its trials in the last round.
+  std::vector<std::uint64_t> predicted_trials;
 };
 
 /// Runs trials of the second block of each cell on one thread, round by round with growing numbers of trials, until

@@ -108,6 +108,7 @@ results::Header make_header(const Study& study, const std::vector<Cell>& cells, 
   results::Header header;
   header.isa = core::name_of(isa);
   header.title = study.title;
+  header.aims = study.aims;
   header.experiment = study.experiment->name();
   header.experiment_version = study.experiment->version();
   header.study_hash = results::sha256_hex(fmt::format("{}\n", fmt::join(study_content(study), "\n")));

@@ -118,8 +118,7 @@ std::vector<Setting> make_settings() {
        1e4,
        {},
        "m",
-       "standard deviation of the range errors; contaminated: of the good ones, proportional: at reference_depth_m, "
-       "empirical: root mean square",
+       "standard deviation of the range errors",
        false},
       {"noise", "noise_is_variance", Kind::Choice, std::string("off"), 0, 0, strings(off_on), "1",
        "read range_sigma_m as a variance (m^2)", false},

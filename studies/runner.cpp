@@ -176,7 +176,7 @@ std::vector<Stretch> Run::present() const {
 bool Run::is_enough(std::size_t cell) const {
   std::vector<results::Statistics> statistics;
   for (std::size_t m = 0; m < plan_.header.methods.size(); ++m) statistics.push_back(writer_.statistics(cell, m));
-  return is_reached(*study_.stop, plan_.header, statistics);
+  return precision_of(*study_.stop, plan_.header, statistics).is_enough();
 }
 
 std::vector<Stretch> Run::next_round() const {

@@ -20,8 +20,8 @@ double standard_error(double low, double high) {
   return (high - low) / (2.0 * results::normal_quantile_975);
 }
 
-/// Whether one method's statistic is known well enough.
-bool is_known(const StopRule& rule, const results::SummaryRow& row) {
+/// Of one method.
+Precision precision_of(const StopRule& rule, const results::SummaryRow& row) {
   const bool is_rate = std::isnan(row.min);
   double value = row.mean;
   double error = is_rate ? standard_error(row.lo, row.hi) : row.mcse;
@@ -34,8 +34,8 @@ bool is_known(const StopRule& rule, const results::SummaryRow& row) {
     value = row.rms;
     error = row.rms_mcse;
   }
-  const double target = rule.is_relative ? rule.target * std::fabs(value) : rule.target;
-  return is_reliable && error <= target;  // not where the error is NaN
+  if (error == 0.0) return {0.0, is_reliable};
+  return {error / (rule.is_relative ? rule.target * std::fabs(value) : rule.target), is_reliable};
 }
 
 }  // namespace
@@ -50,16 +50,31 @@ std::vector<std::uint64_t> looks(const StopRule& rule, std::uint64_t block_trial
   return blocks;
 }
 
-bool is_reached(const StopRule& rule, const results::Header& header,
-                const std::vector<results::Statistics>& statistics) {
+Precision precision_of(const StopRule& rule, const results::Header& header,
+                       const std::vector<results::Statistics>& statistics) {
+  Precision worst;
   for (std::size_t m = 0; m < header.methods.size(); ++m) {
     const bool is_named = std::ranges::find(rule.methods, header.methods[m].label) != rule.methods.end();
     if (rule.methods.empty() ? header.methods[m].difference.has_value() : !is_named) continue;
     const results::SummaryRow row = results::summary_row(header, m, statistics[m], rule.metric);
     if (row.n == 0 && !is_named) continue;
-    if (!is_known(rule, row)) return false;
+    const Precision precision = precision_of(rule, row);
+    worst.is_reliable = worst.is_reliable && precision.is_reliable;
+    // Once NaN, always NaN.
+    if (!(precision.error_over_target <= worst.error_over_target))
+      worst.error_over_target = std::isnan(worst.error_over_target) ? worst.error_over_target : precision.error_over_target;
   }
-  return true;
+  return worst;
+}
+
+std::uint64_t predicted_trials(const StopRule& rule, const Precision& precision, std::uint64_t trials,
+                               std::uint64_t block_trials) {
+  const std::vector<std::uint64_t> blocks = looks(rule, block_trials);
+  const double needed =
+      static_cast<double>(trials) * precision.error_over_target * precision.error_over_target;
+  const auto enough = std::ranges::find_if(
+      blocks, [&](std::uint64_t b) { return static_cast<double>(b * block_trials) >= needed; });
+  return (enough == blocks.end() ? blocks.back() : *enough) * block_trials;
 }
 
 }  // namespace ridgeloc::studies

@@ -26,9 +26,22 @@ struct StopRule {
 /// goes on needs no memory of what the last one has seen: whoever went beyond a look has found it not enough.
 std::vector<std::uint64_t> looks(const StopRule& rule, std::uint64_t block_trials);
 
-/// Whether the trials of a cell are enough. `statistics` by method. An error counts only if it is itself reliable
-/// (`SummaryRow::trusted`); that of a rate is the half width of its Wilson interval, which also knows rates of 0 and 1.
-bool is_reached(const StopRule& rule, const results::Header& header,
-                const std::vector<results::Statistics>& statistics);
+/// How far a cell is from what the rule asks for.
+struct Precision {
+  double error_over_target = 0.0;  ///< the largest of all methods; NaN where an error is not known
+  bool is_reliable = true;         ///< whether all these errors are themselves reliable (`SummaryRow::trusted`)
+
+  bool is_enough() const { return is_reliable && error_over_target <= 1.0; }
+};
+
+/// Of the trials of a cell; `statistics` by method. The error of a rate is the half width of its Wilson interval over 1.96,
+/// which also knows rates of 0 and 1.
+Precision precision_of(const StopRule& rule, const results::Header& header,
+                       const std::vector<results::Statistics>& statistics);
+
+/// The trials at which a cell is likely to end whose first `trials` trials came to a precision: the first look at which the
+/// error, as it falls with the root of the trials, is below the target.
+std::uint64_t predicted_trials(const StopRule& rule, const Precision& precision, std::uint64_t trials,
+                               std::uint64_t block_trials);
 
 }  // namespace ridgeloc::studies

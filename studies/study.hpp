@@ -26,6 +26,7 @@ using Comparison = std::array<std::string, 2>;
 struct Study {
   std::string name;  ///< of the file without extension, or of the catalog entry
   std::string title;
+  std::string aims;  ///< what the study is to find out, for reports; may be empty
   const Experiment* experiment = nullptr;
   std::uint64_t seed = 2018;
   std::uint64_t trials = 100;       ///< per cell

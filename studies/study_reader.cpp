@@ -135,14 +135,15 @@ Study read_study(const StudySource& source, std::span<const std::string> overrid
   study.name = source.name;
   study.experiment = &read_experiment(document, source.origin);
 
-  std::vector<std::string> allowed = {"title", "experiment", "seed",   "trials", "audit",
-                                      "store", "sweep",      "method", "compare", "stop", "figure"};
+  std::vector<std::string> allowed = {"title", "aims",  "experiment", "seed",    "trials", "audit",
+                                      "store", "sweep", "method",     "compare", "stop",   "figure"};
   const auto sections = section_names(*study.experiment);
   allowed.insert(allowed.end(), sections.begin(), sections.end());
   check_keys(document, "the study", allowed);
 
   const toml::node* title = document.get("title");
   study.title = title == nullptr ? source.name : read_text(*title, "title");
+  if (const toml::node* aims = document.get("aims")) study.aims = read_text(*aims, "aims");
   if (const toml::node* seed = document.get("seed")) {
     study.seed = static_cast<std::uint64_t>(std::get<std::int64_t>(read_setting(*seed, study_setting("seed"), "seed")));
   }

@@ -83,9 +83,10 @@ void for_each_setting(const Experiment& experiment, std::string& out, F&& line) 
 }  // namespace
 
 std::string resolved_toml(const Study& study) {
-  std::string out;
+  std::string out = fmt::format("title = {}\n", quoted(study.title));
+  if (!study.aims.empty()) out += fmt::format("aims = {}\n", quoted(study.aims));
   out +=
-      fmt::format("title = {}\nexperiment = {}\nseed = {}\ntrials = {}\naudit = {}\n", quoted(study.title),
+      fmt::format("experiment = {}\nseed = {}\ntrials = {}\naudit = {}\n",
                   quoted(std::string(study.experiment->name())), study.seed, study.trials, to_toml(Value(study.audit)));
   if (study.comparisons.empty()) out += "compare = []\n";
   out += fmt::format("\n[store]\ntrial_columns_mib = {}\n", to_toml(Value(study.trial_columns_mib)));
@@ -110,7 +111,8 @@ std::string template_toml(const Experiment& experiment) {
       "# A study of the experiment \"{}\": {}.\n"
       "# Run it with: ridgeloc run FILE.toml -o FILE.h5\n"
       "# Every setting below stands at its default; what you leave out stays there.\n\n"
-      "title = \"My study\"\nexperiment = \"{}\"\nseed = 2018\ntrials = 10000  # per cell\n"
+      "title = \"My study\"\naims = \"\"  # what it is to find out, for reports\nexperiment = \"{}\"\nseed = "
+      "2018\ntrials = 10000  # per cell\n"
       "audit = 0.0001  # share of the trials, besides the first 100 of a cell, that Ceres solves again; 0: none\n\n"
       "[store]\ntrial_columns_mib = 64.0  # per-trial columns kept of each cell (MiB)\n",
       experiment.name(), experiment.summary(), experiment.name());

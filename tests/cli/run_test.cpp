@@ -147,6 +147,9 @@ TEST_CASE("bad input is one line on standard error, exit code 2, and no file") {
       {"summary small.toml", "small.toml"},
       {"export missing.h5", "missing.h5"},
       {"plot missing.h5", "missing.h5"},
+      {"report missing.h5", "missing.h5"},
+      {"report small.toml", "small.toml"},
+      {"report", "RESULT"},
       {"plan missing.toml", "missing.toml"},
   }));
   INFO("ridgeloc " << arguments);

@@ -77,7 +77,7 @@ TEST_CASE("plan says what a study amounts to, and writes nothing") {
   REQUIRE(outcome.exit_code == 0);
   CHECK(contains(outcome.out, "cells    15\n"));
   CHECK(contains(outcome.out, "trials   15000000 (1000000 per cell)"));
-  CHECK(contains(outcome.out, "blocks   3675 (245 per cell of 4096 trials)"));
+  CHECK(contains(outcome.out, "blocks   3675 of 4096 trials"));
   CHECK(contains(outcome.out, "on 2 threads"));
   CHECK(folder.entries().empty());
 }
@@ -166,6 +166,42 @@ TEST_CASE("plot draws all figures, or one, in the formats asked for") {
   CHECK(folder.ridgeloc("plot result.h5 -o pictures --figure rate").out == "pictures/rate.svg\n");
 }
 
+TEST_CASE("report writes one page, of one result or of several, and never over a result") {
+  const WithResult folder;
+  const auto one = folder.ridgeloc("report result.h5");
+  CHECK(one.exit_code == 0);
+  CHECK(one.out == "result.html\n");
+  const std::string page = folder.read("result.html");
+  CHECK(page.starts_with("<!DOCTYPE html>"));
+  CHECK(contains(page, "<title>A small study</title>"));
+  CHECK(contains(page, "ridgeloc plot result.h5 --figure rate"));
+  CHECK(folder.ridgeloc("report result.h5 result.h5").out == "report.html\n");
+  CHECK(contains(folder.read("report.html"), "<title>2 studies</title>"));
+  REQUIRE(folder.ridgeloc("run study.toml --set 'figure=[]' --trials 60 -o other.h5").exit_code == 0);
+  CHECK(folder.ridgeloc("report other.h5 -o pages.html").exit_code == 0);
+  CHECK(contains(folder.read("pages.html"), "The study asks for none"));
+
+  const std::string result = folder.read("result.h5");
+  CHECK(folder.ridgeloc("report other.h5 -o result.h5").exit_code == 2);
+  CHECK(folder.read("result.h5") == result);
+  CHECK(folder.ridgeloc("report other.h5 -o nowhere/at/all.html").exit_code == 2);
+  CHECK(folder.shell("head -c 20000 result.h5 > cut.h5").exit_code == 0);
+  const auto damaged = folder.ridgeloc("report result.h5 cut.h5 -o both.html");
+  CHECK(damaged.exit_code == 2);
+  CHECK(lines_of(damaged.error).size() == 1);
+  CHECK_FALSE(folder.has("both.html"));
+}
+
+TEST_CASE("the commands of a report do what they say") {
+  const WithResult folder;
+  REQUIRE(folder.shell("mv result.h5 \"it's a result.h5\"").exit_code == 0);
+  REQUIRE(folder.ridgeloc("report \"it's a result.h5\" -o page.html").exit_code == 0);
+  const std::string page = folder.read("page.html");
+  const std::string command = "ridgeloc verify 'it'\\''s a result.h5'";
+  CHECK(contains(page, command));
+  CHECK(folder.ridgeloc(command.substr(std::string("ridgeloc ").size())).exit_code == 0);
+}
+
 TEST_CASE("help and version are on standard output") {
   const WorkingFolder folder;
   CHECK(contains(folder.ridgeloc("--help").out, "Exit codes"));
@@ -175,9 +211,9 @@ TEST_CASE("help and version are on standard output") {
 
 TEST_CASE("a full disk under standard output is an I/O failure for every verb") {
   const WithResult folder;
-  for (const char* verb :
-       {"export result.h5", "replay result.h5 --cell 0 --trial 1", "export result.h5 --trials", "summary result.h5",
-        "audit result.h5", "list", "plan fig3a", "plot result.h5", "run study.toml -o again.h5", "new ranging"}) {
+  for (const char* verb : {"export result.h5", "replay result.h5 --cell 0 --trial 1", "export result.h5 --trials",
+                           "summary result.h5", "audit result.h5", "list", "plan fig3a", "plot result.h5",
+                           "report result.h5", "run study.toml -o again.h5", "new ranging"}) {
     INFO(verb);
     const auto outcome = folder.shell(std::string("'" RIDGELOC_PROGRAM "' ") + verb + " 2>messages > /dev/full");
     CHECK(outcome.exit_code == 3);

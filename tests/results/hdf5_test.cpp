@@ -36,6 +36,7 @@ TEST_CASE("HDF5: datasets and attributes come back as they were written") {
   file.write_attribute("/g", "no_texts", std::vector<std::string>{});
   file.write_attribute("/g/reals", "number", counts[1]);
   file.write_attribute("/g", "numbers", counts);
+  file.write_attribute("/g", "real", 0.1);
   const std::string digest = file.written_digest();
   file.close();
 
@@ -59,6 +60,8 @@ TEST_CASE("HDF5: datasets and attributes come back as they were written") {
   CHECK(read.contains("/g/reals"));
   CHECK_FALSE(read.contains("/g/other"));
   CHECK_FALSE(read.contains("/h/reals"));
+  CHECK(read.real_attribute("/g", "real") == 0.1);
+  CHECK(read.attribute_names("/g") == std::vector<std::string>{"no_texts", "numbers", "real", "texts"});
   CHECK_FALSE(read.has_attribute("/g", "text"));
   CHECK(read.content_digest() == digest);
   CHECK(fs::file_size(folder / "a.h5") < flags.size());
@@ -103,6 +106,8 @@ TEST_CASE("HDF5: failures are one line that names the file and the object") {
   CHECK(lacking([&] { file.read<double>("/reals", 1, 2); }, "/reals") == "");
   CHECK(lacking([&] { file.read<double>("/reals", 3, 0); }, "/reals") == "");
   CHECK(lacking([&] { file.number_attribute("/", "text"); }, "the attribute text of /") == "");
+  CHECK(lacking([&] { file.real_attribute("/", "text"); }, "the attribute text of /") == "");
+  CHECK(lacking([&] { file.attribute_names("/missing"); }, "the attributes of /missing") == "");
   CHECK(lacking([&] { file.text_attribute("/", "missing"); }, "the attribute missing of /") == "");
   CHECK_THROWS_AS(file.create_group("/reals"), core::IoError);
 }

@@ -44,6 +44,7 @@ TEST_CASE("a sealed result gives back its header") {
   const Header read = read_result_header(folder / "r.h5");
 
   CHECK(read.title == header.title);
+  CHECK(read.aims == header.aims);
   CHECK(read.experiment == header.experiment);
   CHECK(read.experiment_version == header.experiment_version);
   CHECK(read.study_hash == header.study_hash);
@@ -108,6 +109,21 @@ TEST_CASE("a sealed result gives back the totals and the rows behind them") {
   for (std::size_t cell = 0; cell < header.cells.size(); ++cell)
     for (std::size_t method = 0; method < header.methods.size(); ++method)
       CHECK(summary.of(cell, method) == expected.total(cell, method));
+}
+
+TEST_CASE("a sealed result gives back its provenance") {
+  const test::ScratchFolder folder;
+  test::write_sample(folder / "r.h5", test::sample_header());
+  const Provenance read = read_provenance(folder / "r.h5");
+  CHECK(read.program_version == "0.1.0");
+  CHECK(read.processor == processor_model());
+  CHECK(read.date.size() == std::string("2018-10-01T00:00:00Z").size());
+  CHECK(read.contributions.empty());
+  REQUIRE(read.libraries.size() == 2);
+  CHECK(read.libraries[0] == std::pair<std::string, std::string>("Eigen", "3.4.0"));
+  CHECK(read.libraries[1] == std::pair<std::string, std::string>("HDF5", hdf5::library_version()));
+  CHECK(read.wall_time_s == std::vector<std::pair<std::string, double>>{{"run", 1.5}});
+  CHECK_THROWS_AS(read_provenance(folder / "missing.h5"), core::InputError);
 }
 
 TEST_CASE("a sealed result gives back the kept trials") {

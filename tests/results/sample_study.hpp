@@ -68,6 +68,7 @@ inline constexpr std::uint64_t sample_blocks = 6;
 inline Header sample_header() {
   Header header;
   header.title = "Sample: µ and σ";
+  header.aims = "Is µ < σ?";
   header.experiment = "sample";
   header.experiment_version = 3;
   header.study_hash = "0123456789abcdef";

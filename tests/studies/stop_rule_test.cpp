@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <thread>
 
@@ -73,6 +74,17 @@ TEST_CASE("looks begin at the smallest number of trials, grow by 19 % or a block
   CHECK(looks(rule, 4096) == std::vector<std::uint64_t>{2, 3, 4, 5, 6, 8, 10, 12, 15, 18, 22, 25});
   rule.max_trials = 5000;
   CHECK(looks(rule, 4096) == std::vector<std::uint64_t>{2});
+}
+
+TEST_CASE("the trials that a cell needs follow from those that it has") {
+  StopRule rule;
+  rule.min_trials = 1;
+  rule.max_trials = 1'000'000;
+  CHECK(predicted_trials(rule, {0.5, true}, 4096, 4096) == 4096);
+  CHECK(predicted_trials(rule, {2.0, true}, 4096, 4096) == 4 * 4096);  // a look; the root of the trials rules
+  CHECK(predicted_trials(rule, {2.1, true}, 4096, 4096) == 5 * 4096);
+  CHECK(predicted_trials(rule, {1e9, true}, 4096, 4096) == 245 * 4096);
+  CHECK(predicted_trials(rule, {std::nan(""), true}, 4096, 4096) == 245 * 4096);
 }
 
 TEST_CASE("every cell stops at the first look at which it is known well enough, the same for any threads") {

@@ -56,6 +56,7 @@ std::string with(const std::string& piece, const std::string& replacement) {
 TEST_CASE("a study is read with its defaults filled in") {
   const Study study = read(valid);
   CHECK(study.title == "demo");
+  CHECK(study.aims.empty());
   CHECK(study.seed == 2018);
   CHECK(study.trials == 10);
   CHECK(std::get<Interval>(study.fixed.at("depth_m")) == Interval{2, 8});
@@ -66,6 +67,15 @@ TEST_CASE("a study is read with its defaults filled in") {
   REQUIRE(study.methods.size() == 1);
   CHECK(study.methods[0].label == "rr");
   CHECK(std::get<double>(study.methods[0].given.at("k_fixed")) == 0.5);
+}
+
+TEST_CASE("the aims of a study go into its result and change no number") {
+  const std::string text = "aims = \"\"\"\nWhich one\nis \"better\"?\"\"\"\n" + valid;
+  CHECK(read(text).aims == "Which one\nis \"better\"?");
+  CHECK(read(resolved_toml(read(text))).aims == read(text).aims);
+  CHECK(make_plan(read(text)).header.aims == read(text).aims);
+  CHECK(make_plan(read(text)).header.study_hash == make_plan(read(valid)).header.study_hash);
+  CHECK(error_of("aims = 3\n" + valid).find("aims") != std::string::npos);
 }
 
 TEST_CASE("a resolved study reads back as itself, and so does the template") {
