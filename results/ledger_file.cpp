@@ -178,6 +178,13 @@ Ledger read_ledger(const hdf5::File& file, const Header& header) {
   } catch (const std::invalid_argument& error) {
     fail(file, fmt::format("has an impossible row: {}", error.what()));
   }
+  const Row* previous = nullptr;
+  for (const Row& row : ledger.rows()) {
+    const bool same = previous != nullptr && previous->cell == row.cell && previous->method == row.method;
+    if (same && previous->statistics.events.size() != row.statistics.events.size())
+      fail(file, "has rows of a method with and without events");
+    previous = &row;
+  }
   return ledger;
 }
 

@@ -8,6 +8,8 @@
 #include "catch.hpp"
 #include "core/error.hpp"
 #include "results/coverage.hpp"
+#include "results/hdf5.hpp"
+#include "results/ledger_file.hpp"
 #include "results/sample_study.hpp"
 
 using namespace ridgeloc;
@@ -164,4 +166,19 @@ TEST_CASE("a coverage agrees with a plain list of the trials of each block") {
     }
     REQUIRE(coverage.trials(block_trials) == std::accumulate(trials.begin(), trials.end(), std::uint64_t{0}));
   }
+}
+
+TEST_CASE("rows of one method that cannot be added up are refused when they are read") {
+  const test::ScratchFolder folder;
+  const Header header = test::sample_header();
+  Ledger ledger(header.block_trials);
+  for (const std::uint64_t block : {0, 2}) {
+    Row row = test::sample_block(header, 0, block).take_rows()[0];
+    REQUIRE_FALSE(row.statistics.events.empty());
+    if (block == 2) row.statistics.events.clear();
+    ledger.insert(std::move(row));
+  }
+  hdf5::File file = hdf5::File::create(folder / "a.h5");
+  write_ledger(file, ledger, header.schema);
+  CHECK(test::lacking(test::message_of([&] { read_ledger(file, header); }), {"with and without events"}) == "");
 }
