@@ -236,11 +236,14 @@ class Loop:
                 print(f"{self.killed} kills, {self.sealed} results sealed", file=sys.stderr)
         elif code in (4, -signal.SIGTERM):  # the latter before the program listens to signals
             self.stops += 1
-            if not after.keys() - before.keys():
-                self.seconds_to_begin *= 1.1
+            if code == -signal.SIGTERM:
+                self.adapt(1.1)
         elif code != 0:
             self.problems.append(f"exit code {code}: {message}")
         return code == 0
+
+    def adapt(self, factor):
+        self.seconds_to_begin = min(factor * self.seconds_to_begin, 0.5)
 
     def make_small_parts(self, study, trials, files):
         """Stops runs as soon as they have computed something, which leaves a small part each."""
@@ -253,7 +256,7 @@ class Loop:
             process.communicate()
             self.stops += 1
             ended = process.returncode == 0
-            self.seconds_to_begin *= 1.2 if len(files.parts()) == before else 0.95
+            self.adapt(1.2 if len(files.parts()) == before else 0.95)
 
     def sweep(self, number):
         study = "small" if number % 4 == 0 else "large"

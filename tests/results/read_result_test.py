@@ -55,7 +55,7 @@ def texts(dataset):
 
 def check_root(file, digest):
     assert file.attrs["filetype"] == "ridgeloc-result"
-    assert list(file.attrs["version"]) == [1, 2]
+    assert file.attrs["version"][0] == 1
     assert file.attrs["title"] == "Sample: µ and σ"
     assert file.attrs["seed"] == 2**64 - 1
     assert file.attrs["data_sha256"] == digest
