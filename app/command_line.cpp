@@ -64,7 +64,8 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", "ridgeloc " + build_provenance().program_version);
     app_.footer(
-        "Exit codes: 0 done, 1 verify or compare found a difference, 2 bad input, 3 reading or writing failed, 4 stopped by a signal "
+        "Exit codes: 0 done, 1 verify or compare found a difference, 2 bad input, 3 reading or writing failed, 4 "
+        "stopped by a signal "
         "or a time limit (finished work kept).");
 
     CLI::App& list_verb =
@@ -88,23 +89,25 @@ class CommandLine {
             "--shard", [this](const std::string& text) { run_.shard = shard_of(text); },
             "compute one of N shares only, i from 1 to N; merge puts them together")
         ->type_name("i/N");
-    run_verb.add_option("--time-limit", run_.time_limit, "stop after this time (90s, 10m, 1h30m, HH:MM:SS) and keep all")
+    run_verb
+        .add_option("--time-limit", run_.time_limit, "stop after this time (90s, 10m, 1h30m, HH:MM:SS) and keep all")
         ->type_name("TIME");
 
     CLI::App& merge_verb = verb("merge", "put results of one study together: shards, or more trials, cells, methods",
                                 [this] { return merge(merge_); });
     merge_verb.add_option("RESULT", merge_.results, "result files")->required();
     merge_verb.add_option("-o", merge_.output, "result file to write")->required()->type_name("FILE");
-    merge_verb.add_flag("--mix-isa", merge_.mix_isa,
-                        "let results of different instruction sets stand side by side, which ends exact reproducibility");
+    merge_verb.add_flag(
+        "--mix-isa", merge_.mix_isa,
+        "let results of different instruction sets stand side by side, which ends exact reproducibility");
 
     CLI::App& compare_verb = verb("compare", "compare two results of one study, from other machines, versions or seeds",
                                   [this] { return compare(compare_); });
     compare_verb.add_option("A", compare_.first, "result file")->required();
     compare_verb.add_option("B", compare_.second, "result file")->required();
 
-    CLI::App& verify_verb = verb("verify", "check a result, and compute some of its blocks again",
-                                 [this] { return verify(verify_); });
+    CLI::App& verify_verb =
+        verb("verify", "check a result, and compute some of its blocks again", [this] { return verify(verify_); });
     verify_verb.add_option("RESULT", verify_.result, "result file")->required();
     verify_verb.add_option("--blocks", verify_.blocks, "random blocks to compute again")
         ->default_val(verify_.blocks)

@@ -28,8 +28,8 @@ void require_comparable(const CompareOptions& options, const results::Header& fi
       studies::differences(study_of(first, options.first), study_of(second, options.second));
   std::erase_if(texts, [](std::string_view text) { return text.starts_with("seed "); });
   if (!texts.empty()) {
-    throw core::InputError(fmt::format("{} and {} are different studies ({})", options.first, options.second,
-                                       fmt::join(texts, ", ")));
+    throw core::InputError(
+        fmt::format("{} and {} are different studies ({})", options.first, options.second, fmt::join(texts, ", ")));
   }
 }
 
@@ -48,16 +48,15 @@ int compare(const CompareOptions& options) {
   }
   const results::Agreement agreement = results::agreement_of(first, second);
   if (agreement.pairs.empty()) {
-    throw core::InputError(
-        fmt::format("{} and {} have no cell and method in common", options.first, options.second));
+    throw core::InputError(fmt::format("{} and {} have no cell and method in common", options.first, options.second));
   }
   fmt::print("largest differences, in standard errors of independent trials\n");
   for (std::size_t i = 0; i < std::min(agreement.pairs.size(), most_shown); ++i) {
     const results::NumberPair& pair = agreement.pairs[i];
     const std::string cell = results::cell_text(first.header, pair.cell);
     fmt::print("  {:>8.3g}  {}{}{}: {} of {}, {:.6g} against {:.6g}\n", pair.standard_errors, cell,
-               cell.empty() ? "" : ": ", first.header.methods[pair.method].label, pair.statistic, pair.metric, pair.first,
-               pair.second);
+               cell.empty() ? "" : ": ", first.header.methods[pair.method].label, pair.statistic, pair.metric,
+               pair.first, pair.second);
   }
   fmt::print("{}: {} numbers compared, limit {:.2f} standard errors; {} without a reliable error left out\n",
              agreement.holds ? "agree" : "disagree", agreement.pairs.size(), agreement.limit, agreement.untested);

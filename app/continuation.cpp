@@ -63,10 +63,10 @@ studies::Study study_of(const results::Header& header, const std::string& path) 
 Job continued(studies::Study study, const std::filesystem::path& output, const std::string& isa,
               const studies::Shard& shard) {
   if (study.stop && shard.count > 1) {
-    throw core::InputError(fmt::format(
-        "{}: a share cannot know when a cell has enough trials; remove [stop] from the study, or run it "
-        "without --shard",
-        study.name));
+    throw core::InputError(
+        fmt::format("{}: a share cannot know when a cell has enough trials; remove [stop] from the study, or run it "
+                    "without --shard",
+                    study.name));
   }
   const std::string path = output.string();
   const bool has_result = path_exists(output);

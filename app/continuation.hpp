@@ -11,8 +11,8 @@
 
 namespace ridgeloc::app {
 
-/// Throws core::InputError, which names what differs, unless the blocks of a result with the header `found` belong to the
-/// study.
+/// Throws core::InputError, which names what differs, unless the blocks of a result with the header `found` belong to
+/// the study.
 void require_same_study(const results::Header& found, const std::string& path, const studies::Study& study);
 
 /// The study that a result says it is. Throws core::InputError if this program cannot read it.

@@ -52,8 +52,8 @@ TimeLimit::TimeLimit(double seconds)
         std::mutex mutex;
         std::condition_variable_any wake;
         std::unique_lock lock(mutex);
-        const bool ended = wake.wait_for(lock, over, std::chrono::duration<double>(seconds),
-                                         [&] { return over.stop_requested(); });
+        const bool ended =
+            wake.wait_for(lock, over, std::chrono::duration<double>(seconds), [&] { return over.stop_requested(); });
         if (!ended) stop_requested.store(true);
       }) {}
 

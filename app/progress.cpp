@@ -59,8 +59,7 @@ void ProgressDisplay::show(const std::stop_token& stop, const std::string& name,
     const auto total = static_cast<double>(std::max<std::uint64_t>(progress.blocks_total.load(), 1));
     const double share = done / total;
     const double speed = (done - static_cast<double>(blocks_before)) / seconds;
-    const std::string left =
-        speed > 0.0 ? duration_text((total - done) / speed) : std::string("?");
+    const std::string left = speed > 0.0 ? duration_text((total - done) / speed) : std::string("?");
     const std::string rate = rate_text(static_cast<double>(progress.trials_done.load()) / seconds);
     if (terminal_) {
       const auto filled = static_cast<std::size_t>(share * bar_width);

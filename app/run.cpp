@@ -111,12 +111,12 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const studies::Shard& shard = job.assignment.shard;
-    const std::string trials = job.study.stop ? fmt::format("{} to {}", job.study.stop->min_trials, job.study.stop->max_trials)
-                                              : std::to_string(job.assignment.trials);
+    const std::string trials = job.study.stop
+                                   ? fmt::format("{} to {}", job.study.stop->min_trials, job.study.stop->max_trials)
+                                   : std::to_string(job.assignment.trials);
     fmt::print(stderr, "{}: {}, {} trials each, {} on {} with {}{}: {}\n", job.study.name,
-               count_text(job.assignment.cells.size(), "cell"), trials,
-               count_text(job.study.methods.size(), "method"), count_text(static_cast<std::uint64_t>(threads), "thread"),
-               job.plan.header.isa,
+               count_text(job.assignment.cells.size(), "cell"), trials, count_text(job.study.methods.size(), "method"),
+               count_text(static_cast<std::uint64_t>(threads), "thread"), job.plan.header.isa,
                shard.count == 1 ? "" : fmt::format(", share {} of {}", shard.number, shard.count),
                duration_text(seconds));
   }

@@ -31,9 +31,10 @@ struct Agreement {
 /// Chance that two results that differ by nothing but chance are said to disagree.
 inline constexpr double false_alarm_rate = 1e-3;
 
-/// Compares the leading statistic of every metric, and every rate, of the cells and methods that both have (by hash). The
-/// limit is the normal quantile at which the largest of all differences has the chance `false_alarm_rate` (Bonferroni).
-/// With shared trials the real chance is smaller: the errors are then those of independent trials, and too large.
+/// Compares the leading statistic of every metric, and every rate, of the cells and methods that both have (by hash).
+/// The limit is the normal quantile at which the largest of all differences has the chance `false_alarm_rate`
+/// (Bonferroni). With shared trials the real chance is smaller: the errors are then those of independent trials, and
+/// too large.
 Agreement agreement_of(const Summary& first, const Summary& second);
 
 }  // namespace ridgeloc::results

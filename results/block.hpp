@@ -53,8 +53,8 @@ BlockMethods all_methods(const Header& header);
 /// std::invalid_argument. One thread at a time per object.
 class BlockSink {
  public:
-  /// `methods`: those that will give columns. Precondition: cell and trials are in range, and so are methods, events and
-  /// metrics in the calls below.
+  /// `methods`: those that will give columns. Precondition: cell and trials are in range, and so are methods, events
+  /// and metrics in the calls below.
   BlockSink(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials, BlockMethods methods);
   /// For all methods of the header.
   BlockSink(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials)

@@ -21,7 +21,7 @@ struct StoredColumns {
   std::size_t method = 0;
   std::uint64_t block = 0;
   std::uint64_t trials = 0;
-  std::string group;                     ///< of a sealed result: /trials/...; empty in a part
+  std::string group;  ///< of a sealed result: /trials/...; empty in a part
   bool has_status = false;
   std::vector<std::uint8_t> has_metric;  ///< per `Schema::metrics`
   std::uint64_t status_offset = 0;
@@ -44,8 +44,8 @@ std::vector<TrialColumns> read_columns(const std::filesystem::path& path, const 
 /// beside those of `wanted`: the same study hash, version of the experiment and schema, block size and instruction set.
 void require_same_study(const Header& found, const Header& wanted, const std::string& what);
 
-/// Turns the numbers of cells and methods from those of `found` into those of `wanted`, by their hashes. A cell or method
-/// that `wanted` has not throws core::InputError; a method that it has twice, under two labels, is doubled.
+/// Turns the numbers of cells and methods from those of `found` into those of `wanted`, by their hashes. A cell or
+/// method that `wanted` has not throws core::InputError; a method that it has twice, under two labels, is doubled.
 void renumber(BlockSource& source, const Header& found, const Header& wanted);
 
 /// The blocks of a sealed result. Throws core::InputError if it is damaged or of another study.

@@ -13,8 +13,8 @@
 
 namespace ridgeloc::results {
 
-/// The union of the blocks of several sources. It does not depend on their order, nor on how blocks fell into them: equal
-/// blocks are one, of a block that is there twice the longer one counts.
+/// The union of the blocks of several sources. It does not depend on their order, nor on how blocks fell into them:
+/// equal blocks are one, of a block that is there twice the longer one counts.
 class BlockUnion {
  public:
   explicit BlockUnion(const Header& header);

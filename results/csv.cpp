@@ -82,10 +82,9 @@ void write_factors(const Header& header, std::size_t cell, CsvWriter& csv) {
 void write_summary_csv(const Summary& summary, std::ostream& out) {
   CsvWriter csv(out);
   write_axis_names(summary.header, csv);
-  for (const char* name :
-       {"method", "metric", "unit", "n",  "mean", "mcse",    "sd",     "min",    "p05",    "p25",    "p50",
-        "p75",    "p95",    "max",  "lo", "hi",   "trusted", "beyond", "p50_lo", "p50_hi", "sd_mcse", "rms",
-        "rms_mcse", "rms_lo", "rms_hi", "p95_lo", "p95_hi"}) {
+  for (const char* name : {"method", "metric", "unit",    "n",   "mean",     "mcse",   "sd",     "min",     "p05",
+                           "p25",    "p50",    "p75",     "p95", "max",      "lo",     "hi",     "trusted", "beyond",
+                           "p50_lo", "p50_hi", "sd_mcse", "rms", "rms_mcse", "rms_lo", "rms_hi", "p95_lo",  "p95_hi"}) {
     csv.text(name);
   }
   csv.end_line();

@@ -14,9 +14,8 @@ namespace ridgeloc::results {
 /// core::IoError when `out` fails.
 
 /// Long form, one row per cell, method and metric: the axes, then method, metric, unit, n, mean, mcse, sd,
-/// min, p05, p25, p50, p75, p95, max, lo, hi, trusted (1 or 0), beyond, p50_lo, p50_hi, sd_mcse, rms, rms_mcse, rms_lo, rms_hi,
-/// p95_lo, p95_hi. The columns
-/// mean what they do in `SummaryRow`.
+/// min, p05, p25, p50, p75, p95, max, lo, hi, trusted (1 or 0), beyond, p50_lo, p50_hi, sd_mcse, rms, rms_mcse, rms_lo,
+/// rms_hi, p95_lo, p95_hi. The columns mean what they do in `SummaryRow`.
 void write_summary_csv(const Summary& summary, std::ostream& out);
 
 /// Heading of the rows per trial: the axes, trial, method, status, then one column per metric.

@@ -42,8 +42,8 @@ Interval mean_interval(const Moments& moments);
 /// sqrt(sum v^2 / n), of errors the RMSE; NaN without values.
 double root_mean_square(const Moments& moments);
 
-/// Monte Carlo standard error of the root mean square R: s(v^2) / (2 R sqrt(n)), with the variance of v^2 from the first
-/// four moments, so that it holds for any distribution with a fourth moment. 0 where all v are 0, NaN for n < 2.
+/// Monte Carlo standard error of the root mean square R: s(v^2) / (2 R sqrt(n)), with the variance of v^2 from the
+/// first four moments, so that it holds for any distribution with a fourth moment. 0 where all v are 0, NaN for n < 2.
 double root_mean_square_error(const Moments& moments);
 
 /// R exp(-+ t s(R) / R), t of n - 1 degrees of freedom: symmetric in the logarithm, since the mean of v^2 is skewed.
@@ -56,9 +56,9 @@ Interval wilson_interval(std::uint64_t successes, std::uint64_t trials);
 /// -log 0.05 rounded up), at most 1; NaN for no trials.
 double upper_bound_of_none(std::uint64_t trials);
 
-/// Interval of the q quantile between the order statistics of rank n q -+ z sqrt(n q (1 - q)), rounded outwards to whole
-/// ranks and read from the histogram (linear within a bin, like `Histogram::quantile`). NaN when
-/// empty; where a rank lies outside the sample, the end of the histogram stands for it.
+/// Interval of the q quantile between the order statistics of rank n q -+ z sqrt(n q (1 - q)), rounded outwards to
+/// whole ranks and read from the histogram (linear within a bin, like `Histogram::quantile`). NaN when empty; where a
+/// rank lies outside the sample, the end of the histogram stands for it.
 Interval quantile_interval(const Histogram& histogram, double q);
 
 }  // namespace ridgeloc::results

@@ -11,8 +11,8 @@
 
 namespace ridgeloc::results {
 
-/// What a part file holds: finished blocks of a study, each with all or some of the methods, and the per-trial columns of
-/// those whose columns are kept.
+/// What a part file holds: finished blocks of a study, each with all or some of the methods, and the per-trial columns
+/// of those whose columns are kept.
 struct Part {
   Ledger ledger;
   FailureList failures;

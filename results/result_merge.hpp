@@ -8,8 +8,8 @@
 
 namespace ridgeloc::results {
 
-/// Writes the union of the blocks of several sealed results, which need not be complete, as one. `header` must have every
-/// cell and method of each; the data do not depend on the order of the inputs.
+/// Writes the union of the blocks of several sealed results, which need not be complete, as one. `header` must have
+/// every cell and method of each; the data do not depend on the order of the inputs.
 ///
 /// Throws core::InputError if an input is damaged, of another study, or of another instruction set than the header's
 /// (unless that is `mixed_isa`), or if `output` exists or cannot be written; core::IoError if two inputs have different

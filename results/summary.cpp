@@ -25,9 +25,9 @@ SummaryRow blank_row(std::size_t cell, std::size_t method, std::string metric, s
   row.method = method;
   row.metric = std::move(metric);
   row.unit = std::move(unit);
-  for (double* field : {&row.mean, &row.mcse, &row.lo, &row.hi, &row.sd, &row.sd_mcse, &row.min, &row.p05, &row.p25,
-                        &row.p50, &row.p75, &row.p95, &row.p50_lo, &row.p50_hi, &row.max, &row.rms, &row.rms_mcse,
-                        &row.rms_lo, &row.rms_hi, &row.p95_lo, &row.p95_hi}) {
+  for (double* field : {&row.mean, &row.mcse, &row.lo,       &row.hi,     &row.sd,     &row.sd_mcse, &row.min,
+                        &row.p05,  &row.p25,  &row.p50,      &row.p75,    &row.p95,    &row.p50_lo,  &row.p50_hi,
+                        &row.max,  &row.rms,  &row.rms_mcse, &row.rms_lo, &row.rms_hi, &row.p95_lo,  &row.p95_hi}) {
     *field = nan;
   }
   return row;

@@ -35,7 +35,7 @@ struct SummaryRow {
   double rms_mcse = 0.0;
   double rms_lo = 0.0, rms_hi = 0.0;  ///< its 95 % interval
   double p95_lo = 0.0, p95_hi = 0.0;  ///< 95 % interval of p95, from order statistics
-  bool trusted = false;  ///< whether the bar itself is reliable
+  bool trusted = false;               ///< whether the bar itself is reliable
 };
 
 /// A result in memory: what it is and, per cell and method (cell * methods + method), what came out.

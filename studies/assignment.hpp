@@ -14,8 +14,8 @@ struct Shard {
   std::uint64_t count = 1;
 };
 
-/// What of a plan one run is to compute: the blocks of some cells for some methods, up to a number of trials per cell, or
-/// one share of these blocks.
+/// What of a plan one run is to compute: the blocks of some cells for some methods, up to a number of trials per cell,
+/// or one share of these blocks.
 ///
 /// Shares need no communication: the blocks of a cell are cut into at least 16 runs per share, as long as there are so
 /// many, and dealt in turn, beginning with another share for each cell. Runs are of 2^k blocks and aligned, so that the

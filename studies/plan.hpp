@@ -21,9 +21,9 @@ struct Plan {
 /// Throws core::InputError when `exclude` leaves no cell.
 Plan make_plan(const Study& study, core::Isa isa = core::Isa::Baseline);
 
-/// The lines "key = value" that the study hash is made of: what changes every number and is neither swept nor a method's
-/// own. Trials, sweep values, methods, figures and titles are not part of it, so that a longer or wider study continues
-/// an old result.
+/// The lines "key = value" that the study hash is made of: what changes every number and is neither swept nor a
+/// method's own. Trials, sweep values, methods, figures and titles are not part of it, so that a longer or wider study
+/// continues an old result.
 std::vector<std::string> study_content(const Study& study);
 
 /// The hash of a method's solver with the settings that it reads, swept ones aside.

@@ -53,7 +53,8 @@ results::Schema make_schema() {
       {"squared_error_m2", "m2", "squared position error of all trials", true},
       {"error_x_m", "m", "signed position error of all trials along the optical axis", true},
   };
-  for (const Metric compared : {ErrorM, ErrorAllM, SquaredErrorM2, Iterations}) schema.metrics[compared].is_compared = true;
+  for (const Metric compared : {ErrorM, ErrorAllM, SquaredErrorM2, Iterations})
+    schema.metrics[compared].is_compared = true;
   for (results::MetricInfo& metric : studies::audit_metrics()) schema.metrics.push_back(std::move(metric));
   for (const std::string_view status : core::status_names) {
     const bool is_failure = status != core::status_names[static_cast<std::size_t>(core::Status::Converged)];

@@ -131,7 +131,8 @@ void Run::compute_task(const Stretch& stretch, std::uint64_t task) {
       found_.fetch_add(1, std::memory_order_relaxed);
     } else {
       BlockWork work = block_work(study_, plan_.header, missing);
-      results::BlockSink& sink = sinks.emplace_back(plan_.header, cell.index, block, range.count, std::move(work.wanted));
+      results::BlockSink& sink =
+          sinks.emplace_back(plan_.header, cell.index, block, range.count, std::move(work.wanted));
       study_.experiment->run_block({study_.seed, study_.audit}, cell, work.methods, range, *workspaces_.local(), sink);
       computed_.fetch_add(1, std::memory_order_relaxed);
       progress_.trials_done.fetch_add(range.count, std::memory_order_relaxed);
@@ -188,7 +189,8 @@ std::vector<Stretch> Run::next_round() const {
     const auto next = std::ranges::upper_bound(all_looks, extent.unbroken);
     if (next == all_looks.end()) continue;
     // Blocks beyond a look say that it was not enough.
-    const bool at_look = next != all_looks.begin() && *std::prev(next) == extent.unbroken && extent.end == extent.unbroken;
+    const bool at_look =
+        next != all_looks.begin() && *std::prev(next) == extent.unbroken && extent.end == extent.unbroken;
     if (at_look && is_enough(cell)) continue;
     round.push_back({place, extent.unbroken, *next});
   }

@@ -16,8 +16,8 @@ namespace ridgeloc::studies {
 /// How far a run is. Written by the workers, read by whoever shows it; atomics alone, no lock.
 struct RunProgress {
   std::atomic<std::uint64_t> blocks_total{0};  ///< as far as is known: a stop rule decides on the way
-  std::atomic<std::uint64_t> blocks_done{0};  ///< blocks of this run and those found finished
-  std::atomic<std::uint64_t> trials_done{0};  ///< trials of this run
+  std::atomic<std::uint64_t> blocks_done{0};   ///< blocks of this run and those found finished
+  std::atomic<std::uint64_t> trials_done{0};   ///< trials of this run
 };
 
 struct RunOutcome {

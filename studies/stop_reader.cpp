@@ -15,20 +15,12 @@ Setting target_setting(const char* name) {
 }
 
 std::uint64_t read_trials(const toml::table& table, const char* name, std::uint64_t least) {
-  const Setting setting{"stop",
-                        name,
-                        Kind::Integer,
-                        std::int64_t{1},
-                        static_cast<double>(least),
-                        static_cast<double>(max_trials),
-                        {},
-                        "1",
-                        "",
-                        false};
+  const Setting setting{
+      "stop", name, Kind::Integer, std::int64_t{1}, static_cast<double>(least), static_cast<double>(max_trials), {},
+      "1",    "",   false};
   const toml::node* node = table.get(name);
   if (node == nullptr) fail_at(table, fmt::format("[stop] lacks {}: {}", name, accepted(setting)));
-  return static_cast<std::uint64_t>(
-      std::get<std::int64_t>(read_setting(*node, setting, fmt::format("stop.{}", name))));
+  return static_cast<std::uint64_t>(std::get<std::int64_t>(read_setting(*node, setting, fmt::format("stop.{}", name))));
 }
 
 }  // namespace
@@ -55,8 +47,9 @@ void read_stop(const toml::table& document, Study& study) {
   const toml::node* target = table.get("target");
   const toml::node* relative = table.get("relative");
   if ((target == nullptr) == (relative == nullptr)) {
-    fail_at(table, "[stop] needs either target, a standard error in the unit of the metric, or relative, a share of its "
-                   "value");
+    fail_at(table,
+            "[stop] needs either target, a standard error in the unit of the metric, or relative, a share of its "
+            "value");
   }
   rule.is_relative = relative != nullptr;
   const char* name = rule.is_relative ? "relative" : "target";

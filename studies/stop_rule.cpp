@@ -62,7 +62,8 @@ Precision precision_of(const StopRule& rule, const results::Header& header,
     worst.is_reliable = worst.is_reliable && precision.is_reliable;
     // Once NaN, always NaN.
     if (!(precision.error_over_target <= worst.error_over_target))
-      worst.error_over_target = std::isnan(worst.error_over_target) ? worst.error_over_target : precision.error_over_target;
+      worst.error_over_target =
+          std::isnan(worst.error_over_target) ? worst.error_over_target : precision.error_over_target;
   }
   return worst;
 }
@@ -70,10 +71,9 @@ Precision precision_of(const StopRule& rule, const results::Header& header,
 std::uint64_t predicted_trials(const StopRule& rule, const Precision& precision, std::uint64_t trials,
                                std::uint64_t block_trials) {
   const std::vector<std::uint64_t> blocks = looks(rule, block_trials);
-  const double needed =
-      static_cast<double>(trials) * precision.error_over_target * precision.error_over_target;
-  const auto enough = std::ranges::find_if(
-      blocks, [&](std::uint64_t b) { return static_cast<double>(b * block_trials) >= needed; });
+  const double needed = static_cast<double>(trials) * precision.error_over_target * precision.error_over_target;
+  const auto enough =
+      std::ranges::find_if(blocks, [&](std::uint64_t b) { return static_cast<double>(b * block_trials) >= needed; });
   return (enough == blocks.end() ? blocks.back() : *enough) * block_trials;
 }
 

@@ -21,9 +21,9 @@ struct StopRule {
   std::uint64_t max_trials = 0;
 };
 
-/// The numbers of blocks at which a cell is looked at: from those of `min_trials` on, each a quarter of an octave (19 %)
-/// above the one before, to those of `max_trials`; both rounded up to whole blocks. Fixed beforehand, so that a run that
-/// goes on needs no memory of what the last one has seen: whoever went beyond a look has found it not enough.
+/// The numbers of blocks at which a cell is looked at: from those of `min_trials` on, each a quarter of an octave (19
+/// %) above the one before, to those of `max_trials`; both rounded up to whole blocks. Fixed beforehand, so that a run
+/// that goes on needs no memory of what the last one has seen: whoever went beyond a look has found it not enough.
 std::vector<std::uint64_t> looks(const StopRule& rule, std::uint64_t block_trials);
 
 /// How far a cell is from what the rule asks for.
@@ -34,13 +34,13 @@ struct Precision {
   bool is_enough() const { return is_reliable && error_over_target <= 1.0; }
 };
 
-/// Of the trials of a cell; `statistics` by method. The error of a rate is the half width of its Wilson interval over 1.96,
-/// which also knows rates of 0 and 1.
+/// Of the trials of a cell; `statistics` by method. The error of a rate is the half width of its Wilson interval
+/// over 1.96, which also knows rates of 0 and 1.
 Precision precision_of(const StopRule& rule, const results::Header& header,
                        const std::vector<results::Statistics>& statistics);
 
-/// The trials at which a cell is likely to end whose first `trials` trials came to a precision: the first look at which the
-/// error, as it falls with the root of the trials, is below the target.
+/// The trials at which a cell is likely to end whose first `trials` trials came to a precision: the first look at which
+/// the error, as it falls with the root of the trials, is below the target.
 std::uint64_t predicted_trials(const StopRule& rule, const Precision& precision, std::uint64_t trials,
                                std::uint64_t block_trials);
 

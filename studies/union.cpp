@@ -69,9 +69,10 @@ void add_rows(Study& study, const std::vector<std::string>& zip, const Study& ot
     for (std::size_t k = 0; k < axes.front()->values.size() && !known; ++k) known = row_of(axes, k) == row;
     for (std::size_t a = 0; a < axes.size() && !known; ++a) {
       if (std::ranges::find(axes[a]->values, row[a]) != axes[a]->values.end()) {
-        throw core::InputError(fmt::format("{}: {} = {} stands beside other values of the axes it is zipped with than in "
-                                           "{}; compute one of them apart",
-                                           study.name, zip[a], to_toml(row[a]), other.name));
+        throw core::InputError(
+            fmt::format("{}: {} = {} stands beside other values of the axes it is zipped with than in "
+                        "{}; compute one of them apart",
+                        study.name, zip[a], to_toml(row[a]), other.name));
       }
       axes[a]->values.push_back(row[a]);
     }
@@ -108,8 +109,8 @@ std::vector<Values> common_exclusions(const Study& study, const Study& other) {
 
 void unite_sweeps(Study& study, const Study& other) {
   if (zip_groups(study) != zip_groups(other)) {
-    throw core::InputError(fmt::format("{}: its axes are zipped in another way than those of {}; use the same sweep.zip",
-                                       study.name, other.name));
+    throw core::InputError(fmt::format(
+        "{}: its axes are zipped in another way than those of {}; use the same sweep.zip", study.name, other.name));
   }
   std::vector<Values> exclusions = common_exclusions(study, other);
   for (SweepAxis& axis : study.sweep) {
@@ -139,9 +140,10 @@ void unite_methods(Study& study, const Study& other) {
   for (const Method& method : study.methods) known.insert(method_hash(study, method));
   for (const std::string& label : study.experiment->extra_labels()) {
     if (method_hash(study, {label, label, {}}) != method_hash(other, {label, label, {}})) {
-      throw core::InputError(fmt::format("{}: its settings in [solver] give another \"{}\" than those of {}; give them to "
-                                         "each [[method]] instead",
-                                         study.name, label, other.name));
+      throw core::InputError(
+          fmt::format("{}: its settings in [solver] give another \"{}\" than those of {}; give them to "
+                      "each [[method]] instead",
+                      study.name, label, other.name));
     }
   }
   for (const Method& method : other.methods) {

@@ -29,7 +29,8 @@ std::vector<BlockDifference> differences_of(const Study& study, const Plan& plan
   for (const std::uint64_t trials : lengths) {
     results::BlockSink sink(plan.header, where.cell, where.block, trials);
     const TrialRange range{where.block * plan.header.block_trials, static_cast<std::size_t>(trials)};
-    study.experiment->run_block({study.seed, study.audit}, plan.cells[where.cell], study.methods, range, workspace, sink);
+    study.experiment->run_block({study.seed, study.audit}, plan.cells[where.cell], study.methods, range, workspace,
+                                sink);
     for (const results::Row& row : sink.take_rows()) {
       const auto known = ledger.find(where.cell, row.method, where.block);
       if (known && known->trials == trials && known->digest != row.digests.front())

@@ -27,8 +27,8 @@ struct BlockDifference {
   std::size_t method = 0;
 };
 
-/// Computes blocks again and compares the digests of all methods that the ledger has, on `threads` threads. Precondition:
-/// the ledger is of a result of the plan, and has the blocks.
+/// Computes blocks again and compares the digests of all methods that the ledger has, on `threads` threads.
+/// Precondition: the ledger is of a result of the plan, and has the blocks.
 std::vector<BlockDifference> differing_blocks(const Study& study, const Plan& plan, const results::Ledger& ledger,
                                               const std::vector<BlockNumber>& blocks, int threads);
 

@@ -96,7 +96,9 @@ TEST_CASE("shares are merged to the whole; parts of it are results too") {
 TEST_CASE("merge refuses other studies, other instruction sets and a file that is there") {
   const WithStudy folder;
   REQUIRE(folder.ridgeloc("run s.toml -o a.h5 --trials 100 --isa baseline").exit_code == 0);
-  REQUIRE(folder.ridgeloc("run s.toml -o b.h5 --trials 100 --isa baseline --seed 9 --set scene.depth_m=[1,2]").exit_code == 0);
+  REQUIRE(
+      folder.ridgeloc("run s.toml -o b.h5 --trials 100 --isa baseline --seed 9 --set scene.depth_m=[1,2]").exit_code ==
+      0);
   const auto refused = [&](const std::string& arguments, const std::string& message) {
     const Outcome outcome = folder.ridgeloc("merge " + arguments);
     INFO(outcome.error);

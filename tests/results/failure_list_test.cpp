@@ -21,7 +21,8 @@ std::vector<std::uint64_t> range(std::uint64_t begin, std::uint64_t end) {
 
 TEST_CASE("a failure list keeps the lowest trials of each key, in whatever order they come") {
   const FailureKey key{1, 2, 0};
-  const std::vector<std::vector<std::uint64_t>> pieces = {range(500, 580), range(0, 30), range(200, 260), range(20, 40)};
+  const std::vector<std::vector<std::uint64_t>> pieces = {range(500, 580), range(0, 30), range(200, 260),
+                                                          range(20, 40)};
   FailureList forward, backward;
   for (const auto& piece : pieces) forward.insert(key, piece);
   for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {

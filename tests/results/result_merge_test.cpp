@@ -81,7 +81,9 @@ TEST_CASE("a block with equal length and other numbers is fatal and named") {
     writer.add(std::move(blocks));
     writer.seal({});
   }
-  const std::string message = test::message_of([&] { merge_results({folder / "a.h5", forged}, folder / "m.h5", header, {}); });
+  const std::string message = test::message_of([&] {
+    merge_results({folder / "a.h5", forged}, folder / "m.h5", header, {});
+  });
   CHECK(test::lacking(message, {"c.h5", "block 1 of cell 3", "points = 4", "method ols", "other numbers"}) == "");
   CHECK_THROWS_AS(merge_results({folder / "a.h5", forged}, folder / "m.h5", header, {}), core::IoError);
   CHECK_FALSE(fs::exists(folder / "m.h5"));

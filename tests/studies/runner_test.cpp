@@ -156,8 +156,7 @@ solver = "rrr"
   const Plan plan = make_plan(wide);
   run(narrow, folder / "grown.h5", 2);
   RunProgress progress;
-  const RunOutcome outcome =
-      run_study(wide, plan, everything(plan), folder / "grown.h5", 2, {}, progress, never);
+  const RunOutcome outcome = run_study(wide, plan, everything(plan), folder / "grown.h5", 2, {}, progress, never);
   CHECK(outcome.sealed);
   CHECK(outcome.blocks_run == 12);  // cells that are there lack a method and its difference to the first
   CHECK(results::data_digest(folder / "grown.h5") == results::data_digest(folder / "whole.h5"));

@@ -154,13 +154,18 @@ TEST_CASE("what cannot be reached ends at the largest number of trials") {
 TEST_CASE("a stop rule is written and read again; its errors say what is allowed") {
   const Study s = study(precise);
   CHECK(resolved_toml(read_study({"s", "s.toml", resolved_toml(s)})) == resolved_toml(s));
-  CHECK(make_plan(s).header.study_hash == make_plan(read_study({"s", "s.toml", head.substr(0, head.size() - 7)})).header.study_hash);
-  CHECK(refusal("metric = \"error\"\ntarget = 1\nmax_trials = 9000\n").find("did you mean \"error_m\"") != std::string::npos);
+  CHECK(make_plan(s).header.study_hash ==
+        make_plan(read_study({"s", "s.toml", head.substr(0, head.size() - 7)})).header.study_hash);
+  CHECK(refusal("metric = \"error\"\ntarget = 1\nmax_trials = 9000\n").find("did you mean \"error_m\"") !=
+        std::string::npos);
   CHECK(refusal("target = 1\nmax_trials = 9000\n").find("[stop] lacks metric") != std::string::npos);
   CHECK(refusal("metric = \"error_m\"\nmax_trials = 9000\n").find("either target") != std::string::npos);
-  CHECK(refusal("metric = \"error_m\"\ntarget = 1\nrelative = 1\nmax_trials = 9000\n").find("either target") != std::string::npos);
-  CHECK(refusal("metric = \"error_m\"\ntarget = 0\nmax_trials = 9000\n").find("stop.target = 0 is not allowed") != std::string::npos);
+  CHECK(refusal("metric = \"error_m\"\ntarget = 1\nrelative = 1\nmax_trials = 9000\n").find("either target") !=
+        std::string::npos);
+  CHECK(refusal("metric = \"error_m\"\ntarget = 0\nmax_trials = 9000\n").find("stop.target = 0 is not allowed") !=
+        std::string::npos);
   CHECK(refusal("metric = \"error_m\"\ntarget = 1\n").find("[stop] lacks max_trials") != std::string::npos);
   CHECK(refusal("metric = \"error_m\"\ntarget = 1\nmax_trials = 3999\n").find("from 4000") != std::string::npos);
-  CHECK(refusal("metric = \"error_m\"\ntarget = 1\nmax_trials = 9000\nmethods = \"ols\"\n").find("methods") != std::string::npos);
+  CHECK(refusal("metric = \"error_m\"\ntarget = 1\nmax_trials = 9000\nmethods = \"ols\"\n").find("methods") !=
+        std::string::npos);
 }

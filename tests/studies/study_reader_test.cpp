@@ -341,8 +341,11 @@ TEST_CASE("a bad override is named as it was given") {
 
 TEST_CASE("methods are compared with the first one, or as [[compare]] says") {
   const std::string methods =
-      "experiment = \"ranging\"\n[[method]]\nsolver = \"ols\"\n[[method]]\nsolver = \"rr\"\n[[method]]\nsolver = \"rrr\"\n";
-  const auto comparisons = [&](const std::string& text) { return read_study({"s", "s.toml", methods + text}).comparisons; };
+      "experiment = \"ranging\"\n[[method]]\nsolver = \"ols\"\n[[method]]\nsolver = \"rr\"\n[[method]]\nsolver = "
+      "\"rrr\"\n";
+  const auto comparisons = [&](const std::string& text) {
+    return read_study({"s", "s.toml", methods + text}).comparisons;
+  };
   CHECK(comparisons("") == std::vector<Comparison>{{"rr", "ols"}, {"rrr", "ols"}});
   CHECK(comparisons("[[compare]]\nmethod = \"rrr\"\nwith = \"rr\"\n") == std::vector<Comparison>{{"rrr", "rr"}});
   const Study none = read_study({"s", "s.toml", methods}, std::vector<std::string>{"compare=[]"});

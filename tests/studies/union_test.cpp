@@ -48,8 +48,8 @@ std::string refusal(const Study& a, const Study& b) {
 
 TEST_CASE("the union of two studies has all cells, methods and trials of both, and the face of the first") {
   const Study a = study("title = \"A\"\ntrials = 100\n[sweep]\npoints = [3, 7]\nrange_sigma_m = [0.1]\n" + ols);
-  const Study b = study("title = \"B\"\ntrials = 500\n[sweep]\npoints = [5, 3]\nrange_sigma_m = [0.3, 0.1]\n" +
-                        ols + "[[method]]\nsolver = \"rr\"\n");
+  const Study b = study("title = \"B\"\ntrials = 500\n[sweep]\npoints = [5, 3]\nrange_sigma_m = [0.3, 0.1]\n" + ols +
+                        "[[method]]\nsolver = \"rr\"\n");
   for (const Study& all : {united(a, b), united(b, a)}) {
     CHECK(covers(all, a));
     CHECK(covers(all, b));
@@ -120,7 +120,9 @@ TEST_CASE("one name for two methods is refused") {
 
 TEST_CASE("differences name each key that changes every number, and no other") {
   const Study a = study("seed = 1\n[scene]\ndepth_m = [1, 5]\npoints = 4\n" + ols);
-  const Study b = study("seed = 2\ntrials = 7\n[scene]\ndepth_m = [1, 9]\n[solver]\nmax_iterations = 9\n[sweep]\npoints = [3, 4]\n" + ols);
+  const Study b = study(
+      "seed = 2\ntrials = 7\n[scene]\ndepth_m = [1, 9]\n[solver]\nmax_iterations = 9\n[sweep]\npoints = [3, 4]\n" +
+      ols);
   CHECK(differences(a, b) == std::vector<std::string>{"depth_m is [1.0, 5.0], not [1.0, 9.0]", "points is 4, not swept",
                                                       "seed is 1, not 2"});
   CHECK(differences(a, a).empty());
