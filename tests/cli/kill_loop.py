@@ -16,6 +16,7 @@ digest differs. Files lie in a folder under TMPDIR; a file system in memory (TMP
 import argparse
 import collections
 import hashlib
+import os
 import pathlib
 import random
 import signal
@@ -66,13 +67,19 @@ class Files:
         self.cache = {}
 
     def parts(self):
-        return sorted(self.folder.glob("part-*.h5"))
+        return [self.folder / name for name in sorted(self.names()) if name.endswith(".h5")]
+
+    def names(self):
+        try:
+            return os.listdir(self.folder)
+        except FileNotFoundError:  # a run removes the folder at its end
+            return []
 
     def inode(self):
         return self.result.stat().st_ino if self.result.exists() else 0
 
     def unfinished_part(self):
-        return any(self.folder.glob("*.ridgeloc-tmp"))
+        return any(name.endswith(".ridgeloc-tmp") for name in self.names())
 
     def unfinished_result(self):
         return any(self.result.parent.glob(f"{self.result.name}.*.ridgeloc-tmp"))
@@ -236,11 +243,14 @@ class Loop:
                 print(f"{self.killed} kills, {self.sealed} results sealed", file=sys.stderr)
         elif code in (4, -signal.SIGTERM):  # the latter before the program listens to signals
             self.stops += 1
-            if not after.keys() - before.keys():
-                self.seconds_to_begin *= 1.1
+            if code == -signal.SIGTERM:
+                self.adapt(1.1)
         elif code != 0:
             self.problems.append(f"exit code {code}: {message}")
         return code == 0
+
+    def adapt(self, factor):
+        self.seconds_to_begin = min(factor * self.seconds_to_begin, 0.5)
 
     def make_small_parts(self, study, trials, files):
         """Stops runs as soon as they have computed something, which leaves a small part each."""
@@ -253,7 +263,7 @@ class Loop:
             process.communicate()
             self.stops += 1
             ended = process.returncode == 0
-            self.seconds_to_begin *= 1.2 if len(files.parts()) == before else 0.95
+            self.adapt(1.2 if len(files.parts()) == before else 0.95)
 
     def sweep(self, number):
         study = "small" if number % 4 == 0 else "large"
