@@ -40,7 +40,9 @@ VERBS = {
     "export --failures": (["export", "--failures", "result.h5"], None),
     "verify": (["verify", "--blocks", "0", "result.h5"], None),
     "compare": (["compare", "result.h5", "whole.h5"], None),
+    "report": (["report", "result.h5", "-o", "report.html"], "report.html"),
     "plot": (["plot", "result.h5", "-o", "figure.svg"], "figure.svg"),
+    "replay": (["replay", "result.h5", "--cell", "0", "--trial", "3"], None),
     "audit": (["audit", "result.h5"], None),
     "merge": (["merge", "result.h5", "-o", "merged.h5"], "merged.h5"),
     "run": (["run", "study.toml", "--trials", "50", "-o", "result.h5"], "result.h5"),
@@ -122,6 +124,8 @@ class Loop:
                     (self.folder / written).unlink(missing_ok=True)
                 code, output, message = self.call(arguments)
                 if round_number == 0:
+                    if code != 0:
+                        sys.exit(f"{verb} fails on a whole result: {message.decode()}")
                     expected[verb] = (code, output, self.value(written))
                     continue
                 same = lambda: (code, output, self.value(written)) == expected[verb]

@@ -16,6 +16,7 @@ digest differs. Files lie in a folder under TMPDIR; a file system in memory (TMP
 import argparse
 import collections
 import hashlib
+import os
 import pathlib
 import random
 import signal
@@ -66,13 +67,19 @@ class Files:
         self.cache = {}
 
     def parts(self):
-        return sorted(self.folder.glob("part-*.h5"))
+        return [self.folder / name for name in sorted(self.names()) if name.endswith(".h5")]
+
+    def names(self):
+        try:
+            return os.listdir(self.folder)
+        except FileNotFoundError:  # a run removes the folder at its end
+            return []
 
     def inode(self):
         return self.result.stat().st_ino if self.result.exists() else 0
 
     def unfinished_part(self):
-        return any(self.folder.glob("*.ridgeloc-tmp"))
+        return any(name.endswith(".ridgeloc-tmp") for name in self.names())
 
     def unfinished_result(self):
         return any(self.result.parent.glob(f"{self.result.name}.*.ridgeloc-tmp"))
