@@ -1,13 +1,16 @@
 #include <algorithm>
 #include <array>
 
+#include "studies/building.hpp"
+#include "studies/detection.hpp"
 #include "studies/experiment.hpp"
 #include "studies/ranging.hpp"
 
 namespace ridgeloc::studies {
 
 std::span<const Experiment* const> experiment_registry() {
-  static const std::array<const Experiment*, 1> registry = {&ranging_experiment()};
+  static const std::array<const Experiment*, 3> registry = {&ranging_experiment(), &building_experiment(),
+                                                            &detection_experiment()};
   return registry;
 }
 

@@ -49,8 +49,8 @@ toml::array expand_range(const toml::table& range, const Setting& setting) {
 
 SweepAxis read_axis(const toml::node& node, const Setting& setting) {
   const std::string label = fmt::format("sweep.{}", setting.name);
-  if (setting.kind == Kind::Samples) {
-    fail_at(node, fmt::format("{} cannot be swept; make one study of each list of samples", setting.name));
+  if (setting.kind == Kind::Samples || setting.kind == Kind::Building) {
+    fail_at(node, fmt::format("{} cannot be swept; make one study of each", setting.name));
   }
   SweepAxis axis{&setting, {}};
   std::set<std::string> seen;

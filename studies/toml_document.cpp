@@ -101,6 +101,8 @@ std::optional<Value> read_value(const toml::node& node, const Setting& s) {
       const bool known = std::ranges::find(s.choices, value) != s.choices.end();
       return known ? std::optional<Value>(value) : std::nullopt;
     }
+    case Kind::Text:
+      return node.is_string() ? std::optional<Value>(*node.value<std::string>()) : std::nullopt;
     case Kind::Range: {
       const toml::array* pair = node.as_array();
       if (pair == nullptr || pair->size() != 2) return std::nullopt;
@@ -110,6 +112,7 @@ std::optional<Value> read_value(const toml::node& node, const Setting& s) {
       return valid ? std::optional<Value>(Interval{*low, *high}) : std::nullopt;
     }
     case Kind::Samples:  // never here: they have messages of their own
+    case Kind::Building:
       break;
   }
   return std::nullopt;
@@ -165,6 +168,7 @@ void check_keys(const toml::table& table, std::string_view table_name, const std
 
 Value read_setting(const toml::node& node, const Setting& setting, const std::string& label) {
   if (setting.kind == Kind::Samples) return read_samples(node, setting, label);
+  if (setting.kind == Kind::Building) return read_building(node, setting, label);
   auto value = read_value(node, setting);
   if (value) return *value;
   std::string hint;

@@ -42,6 +42,9 @@ Value read_setting(const toml::node& node, const Setting& setting, const std::st
 /// Reads a list of numbers, which may be empty, or a column of a CSV file.
 Samples read_samples(const toml::node& node, const Setting& setting, const std::string& label);
 
+/// Reads a map: by name, from a file, made at random, or written where it is used.
+Building read_building(const toml::node& node, const Setting& setting, const std::string& label);
+
 /// Reads a node as text, or as a list of texts, one of `choices` each when there are any.
 std::string read_text(const toml::node& node, const std::string& label, const std::vector<std::string>& choices = {});
 std::vector<std::string> read_texts(const toml::node& node, const std::string& label,

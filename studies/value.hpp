@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "results/schema.hpp"
+#include "sim/building_map.hpp"
 
 namespace ridgeloc::studies {
 
@@ -34,8 +35,23 @@ class Samples {
   double rms_ = 0.0;
 };
 
+/// A map of a building. Copies share it.
+class Building {
+ public:
+  /// `builtin`: what the map is called where it comes with the program, and written as; others are written in full.
+  explicit Building(sim::BuildingMap map, std::string builtin = {});
+
+  const sim::BuildingMap& map() const { return *map_; }
+  const std::string& builtin() const { return builtin_; }
+  bool operator==(const Building& other) const { return map_ == other.map_ || map() == other.map(); }
+
+ private:
+  std::shared_ptr<const sim::BuildingMap> map_;
+  std::string builtin_;
+};
+
 /// The value of a setting.
-using Value = std::variant<std::int64_t, double, std::string, Interval, Samples>;
+using Value = std::variant<std::int64_t, double, std::string, Interval, Samples, Building>;
 
 /// Values by name of setting.
 using Values = std::map<std::string, Value, std::less<>>;
@@ -48,7 +64,7 @@ std::string to_toml(const Value& value);
 results::FactorValue factor_value(const Value& value);
 
 /// What a setting accepts.
-enum class Kind { Real, Integer, Choice, Range, Samples };
+enum class Kind { Real, Integer, Choice, Text, Range, Samples, Building };
 
 /// When a setting is read: always, or only while another one, a choice, has one of some values.
 struct Condition {

@@ -1,0 +1,82 @@
+#include "sim/building_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeloc::sim {
+
+namespace {
+
+/// Part of a line from 0 to 1.
+struct Span {
+  double low;
+  double high;
+};
+
+/// What of the line lies in a rectangle; low > high where nothing does.
+Span clip(const Rectangle& r, const PlanPoint& from, const PlanPoint& to) {
+  Span span{0.0, 1.0};
+  const auto cut = [&span](double start, double end, const std::array<double, 2>& side) {
+    const double along = end - start;
+    if (along == 0.0) {
+      if (start < side[0] || start > side[1]) span = {1.0, 0.0};
+      return;
+    }
+    const double a = (side[0] - start) / along;
+    const double b = (side[1] - start) / along;
+    span = {std::max(span.low, std::min(a, b)), std::min(span.high, std::max(a, b))};
+  };
+  cut(from[0], to[0], r.x_m);
+  cut(from[1], to[1], r.y_m);
+  return span;
+}
+
+/// Twice the signed area of the triangle a, b, c.
+double turn(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+bool crosses(const Wall& wall, const PlanPoint& from, const PlanPoint& to) {
+  return turn(wall.from_m, wall.to_m, from) * turn(wall.from_m, wall.to_m, to) < 0.0 &&
+         turn(from, to, wall.from_m) * turn(from, to, wall.to_m) < 0.0;
+}
+
+}  // namespace
+
+bool BuildingMap::is_inside(const PlanPoint& p) const {
+  return std::ranges::any_of(areas, [&p](const Rectangle& area) { return area.contains(p); });
+}
+
+bool BuildingMap::sees(const PlanPoint& from, const PlanPoint& to) const {
+  // Rounding must not open a gap between rectangles that touch.
+  constexpr double tolerance = 1e-9;
+  double reached = 0.0;
+  for (bool grows = true; grows && reached < 1.0;) {
+    grows = false;
+    for (const auto* free : {&areas, &openings}) {
+      for (const Rectangle& r : *free) {
+        const Span span = clip(r, from, to);
+        if (span.low > reached + tolerance || span.high <= reached) continue;
+        reached = span.high;
+        grows = true;
+      }
+    }
+  }
+  if (reached < 1.0 - tolerance) return false;
+  return std::ranges::none_of(walls, [&](const Wall& wall) { return crosses(wall, from, to); });
+}
+
+bool overlap(const Rectangle& a, const Rectangle& b) {
+  const auto meet = [](const std::array<double, 2>& s, const std::array<double, 2>& t) {
+    return s[0] < t[1] && t[0] < s[1];
+  };
+  return meet(a.x_m, b.x_m) && meet(a.y_m, b.y_m);
+}
+
+bool overlap(const MapObject& a, const MapObject& b) {
+  const double apart = std::hypot(a.centre_m[0] - b.centre_m[0], a.centre_m[1] - b.centre_m[1]);
+  return apart < 0.5 * (a.width_m + b.width_m) &&
+         std::fabs(a.centre_m[2] - b.centre_m[2]) < 0.5 * (a.height_m + b.height_m);
+}
+
+}  // namespace ridgeloc::sim
