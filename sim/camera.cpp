@@ -89,8 +89,8 @@ std::optional<View> Photographer::view(const MapObject& object, std::size_t numb
   return view;
 }
 
-void take_photo(const BuildingMap& map, const Camera& camera, const CameraPose& pose,
-                std::vector<View>& views, double& image_distance_mm) {
+void take_photo(const BuildingMap& map, const Camera& camera, const CameraPose& pose, std::vector<View>& views,
+                double& image_distance_mm) {
   const Photographer photographer(camera, pose);
   const PlanPoint eye{pose.position_m[0], pose.position_m[1]};
   views.clear();

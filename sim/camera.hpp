@@ -18,7 +18,7 @@ struct Camera {
   double zoom = 1.0;  ///< digital: pixels of the picture for each pixel of the sensor
 
   double smallest_box_px = 20.0;  ///< lower boxes are too small to tell what they show
-  double farthest_m = 15.0;       ///< nor is told what lies further away
+  double farthest_m = 13.5;       ///< nor is told what lies further away
 
   double pixels_per_mm() const { return zoom * 1000.0 / pixel_um; }
 
@@ -78,9 +78,10 @@ class Photographer {
   std::array<double, 3> level_right_;  ///< to the right, level
 };
 
-/// What a camera sees of a map, in the order of its objects: nothing behind walls. The lens is focused on what lies nearest to the optical axis, on the focal length where nothing is seen. Writes the
-/// image distance (mm) too. Allocates only where `views` grows.
-void take_photo(const BuildingMap& map, const Camera& camera, const CameraPose& pose,
-                std::vector<View>& views, double& image_distance_mm);
+/// What a camera sees of a map, in the order of its objects: nothing behind walls. The lens is focused on what lies
+/// nearest to the optical axis, on the focal length where nothing is seen. Writes the image distance (mm) too.
+/// Allocates only where `views` grows.
+void take_photo(const BuildingMap& map, const Camera& camera, const CameraPose& pose, std::vector<View>& views,
+                double& image_distance_mm);
 
 }  // namespace ridgeloc::sim

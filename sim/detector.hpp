@@ -14,11 +14,11 @@ namespace ridgeloc::sim {
 
 /// How well a detector of objects works. Shares of box sizes are relative errors.
 struct DetectorModel {
-  double recall_near = 0.83;  ///< how often it finds an object near by, where its class does not say otherwise
-  double recall_far = 0.46;
+  double recall_near = 0.745;  ///< how often it finds an object near by, where its class does not say otherwise
+  double recall_far = 0.375;
   double near_m = 10.0;        ///< up to here is near
-  double edge_sigma = 0.04;    ///< standard deviation of each edge of a box, as a share of the box' size across it
-  double outlier_rate = 0.08;  ///< share of boxes with one edge, upper or lower, far off
+  double edge_sigma = 0.06;    ///< standard deviation of each edge of a box, as a share of the box' size across it
+  double outlier_rate = 0.10;  ///< share of boxes with one edge, upper or lower, far off
   std::array<double, 2> outlier_size = {0.15, 0.40};  ///< by how much of the height, uniform, inwards or outwards
   double centre_sigma = 0.0;      ///< of the centre of a box beside what its edges make, as a share of its size
   double height_sigma = 0.0;      ///< of the object's height in the map, as a share of it

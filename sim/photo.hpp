@@ -46,8 +46,8 @@ class PhotoTaker {
   /// unspecified photo, if none of `most_attempts` counts.
   bool take(std::uint64_t trial, std::size_t detections, Photo& photo) const;
 
-  /// Writes one photo of those that a trial takes, with what is detected in it. Returns false, and an unspecified photo,
-  /// if it shows too little.
+  /// Writes one photo of those that a trial takes, with what is detected in it. Returns false, and an unspecified
+  /// photo, if it shows too little.
   bool take_one(std::uint64_t trial, std::uint64_t attempt, Photo& photo) const;
 
   static constexpr std::uint64_t most_attempts = 200'000;

@@ -56,11 +56,12 @@ class Block {
                                    : sim::table1_detections(core::uniform_pair(numbers_.block(trial, 0))[0]);
     sim::Photo& photo = scratch_.photo;
     if (!taker_.take(trial, wanted, photo)) {
-      throw core::InputError(fmt::format(
-          "photo.detections = {}: among {} photos of the map \"{}\" none has so many detections{}; ask for fewer, or give "
-          "the map more objects",
-          wanted, sim::PhotoTaker::most_attempts, map_.name,
-          settings_.photo.options.widest_spread_deg < 180.0 ? " within photo.widest_spread_deg" : ""));
+      throw core::InputError(
+          fmt::format("photo.detections = {}: among {} photos of the map \"{}\" none has so many detections{}; ask for "
+                      "fewer, or give "
+                      "the map more objects",
+                      wanted, sim::PhotoTaker::most_attempts, map_.name,
+                      settings_.photo.options.widest_spread_deg < 180.0 ? " within photo.widest_spread_deg" : ""));
     }
     record(photo);
     if (settings_.starts == StartPlaces::Grid) {
@@ -91,8 +92,7 @@ class Block {
     for (const sim::Detection& detection : photo.detections) {
       const auto view = std::ranges::find(photo.views, detection.object, &sim::View::object);
       const double range = observed(detection, detection.object).pseudorange.range_m(photo.image_distance_mm);
-      record.pseudorange_error_m +=
-          std::fabs(range - view->range_m) / static_cast<double>(photo.detections.size());
+      record.pseudorange_error_m += std::fabs(range - view->range_m) / static_cast<double>(photo.detections.size());
     }
   }
 

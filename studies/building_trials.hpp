@@ -10,9 +10,9 @@
 
 #include "core/problem.hpp"
 #include "core/solution.hpp"
+#include "core/status.hpp"
 #include "sim/photo.hpp"
 #include "solvers/coarse_matching.hpp"
-#include "core/status.hpp"
 #include "studies/building_outcome.hpp"
 #include "studies/building_settings.hpp"
 #include "studies/experiment.hpp"
@@ -105,8 +105,8 @@ struct BuildingScratch : Workspace {
   std::vector<std::uint8_t> codes;
 };
 
-/// Takes the photos of a range of trials, finds their starts and writes the problems. Throws core::InputError if the map
-/// never shows what the settings ask of a photo.
+/// Takes the photos of a range of trials, finds their starts and writes the problems. Throws core::InputError if the
+/// map never shows what the settings ask of a photo.
 void simulate_building(std::uint64_t seed, const Cell& cell, const BuildingCell& settings, TrialRange range,
                        BuildingScratch& scratch);
 

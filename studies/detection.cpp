@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 3> distance_names = {"any", "near", "far"
 enum class Distance { Any, Near, Far };
 
 /// Each photo offers so many slots, of which its objects fill some; a trial draws slots until one is filled.
-constexpr std::size_t slots = 64;
+constexpr std::size_t slots = 24;
 
 enum Metric : std::size_t { PseudorangeErrorM, RangeM };
 enum Status : std::uint8_t { Detected, Missed };
@@ -39,12 +39,32 @@ struct DetectionScratch : Workspace {
 
 std::vector<Setting> make_settings() {
   std::vector<Setting> settings = photo_settings();
-  settings.push_back({"object", "object_class", Kind::Text, std::string(any_class), 0, 0, {}, "1",
+  settings.push_back({"object",
+                      "object_class",
+                      Kind::Text,
+                      std::string(any_class),
+                      0,
+                      0,
+                      {},
+                      "1",
                       "a class of the map: objects of others do not count; or any"});
-  settings.push_back({"object", "distance", Kind::Choice, std::string(distance_names[0]), 0, 0,
-                      {distance_names.begin(), distance_names.end()}, "1",
+  settings.push_back({"object",
+                      "distance",
+                      Kind::Choice,
+                      std::string(distance_names[0]),
+                      0,
+                      0,
+                      {distance_names.begin(), distance_names.end()},
+                      "1",
                       "objects that count: any, those up to detector.near_m, or those further away"});
-  settings.push_back({"object", "least_detections", Kind::Integer, std::int64_t{0}, 0, 12, {}, "1",
+  settings.push_back({"object",
+                      "least_detections",
+                      Kind::Integer,
+                      std::int64_t{0},
+                      0,
+                      12,
+                      {},
+                      "1",
                       "photos with fewer detections do not count"});
   return settings;
 }
@@ -82,9 +102,10 @@ const sim::View& find_object(const DetectionCell& cell, const sim::PhotoTaker& t
   for (std::uint64_t attempt = 0; attempt < sim::PhotoTaker::most_attempts; ++attempt) {
     if (!taker.take_one(trial, attempt, photo) || photo.detections.size() < cell.least_detections) continue;
     if (photo.views.size() > slots) {
-      throw core::InputError(fmt::format("a photo of the map \"{}\" shows {} objects, more than {}; make "
-                                         "photo.farthest_m smaller",
-                                         cell.photo.map->name, photo.views.size(), slots));
+      throw core::InputError(
+          fmt::format("a photo of the map \"{}\" shows {} objects, more than {}; make "
+                      "photo.farthest_m smaller",
+                      cell.photo.map->name, photo.views.size(), slots));
     }
     const double u = core::uniform_pair(choice.block(trial, attempt))[0];
     const auto slot = static_cast<std::size_t>(u * static_cast<double>(slots));
@@ -204,8 +225,8 @@ group = "distance"
   static double error_of(const DetectionCell& cell, const sim::Detection& detection, const sim::View& view,
                          const sim::Photo& photo) {
     const double height = cell.photo.map->objects[view.object].height_m * detection.height_factor;
-    const double range = sim::pseudorange(cell.photo.options.camera, detection.box, height)
-                             .range_m(photo.image_distance_mm);
+    const double range =
+        sim::pseudorange(cell.photo.options.camera, detection.box, height).range_m(photo.image_distance_mm);
     return std::fabs(range - view.range_m);
   }
 };

@@ -166,8 +166,8 @@ class MapReader {
       const std::string class_name = read_text(class_node, entry.key("class"));
       const auto found = std::ranges::find(names, class_name);
       if (found == names.end()) {
-        fail_at(class_node, fmt::format("{}: unknown class \"{}\"{}", entry.label(), class_name,
-                                        suggestion(class_name, names)));
+        fail_at(class_node,
+                fmt::format("{}: unknown class \"{}\"{}", entry.label(), class_name, suggestion(class_name, names)));
       }
       object.object_class = static_cast<std::size_t>(found - names.begin());
       const sim::ObjectClass& c = map_.classes[object.object_class];
@@ -188,8 +188,8 @@ class MapReader {
 
   void check_place(const Entry& entry, const sim::MapObject& object) const {
     if (!map_.is_inside({object.centre_m[0], object.centre_m[1]})) {
-      fail_at(entry.table(), fmt::format("{} at [{}, {}] lies outside of every area", entry.label(),
-                                         object.centre_m[0], object.centre_m[1]));
+      fail_at(entry.table(), fmt::format("{} at [{}, {}] lies outside of every area", entry.label(), object.centre_m[0],
+                                         object.centre_m[1]));
     }
     for (const sim::MapObject& other : map_.objects) {
       if (other.name == object.name) fail_at(entry.table(), fmt::format("{} is there twice", entry.label()));

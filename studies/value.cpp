@@ -59,9 +59,8 @@ std::string inline_table(const sim::BuildingMap& map) {
   };
   const auto object = [&map](const sim::MapObject& o) {
     return fmt::format("name = {}, class = {}, at_m = [{}, {}, {}], width_m = {}, height_m = {}", quoted(o.name),
-                       quoted(map.classes[o.object_class].name), number_text(o.centre_m[0]),
-                       number_text(o.centre_m[1]), number_text(o.centre_m[2]), number_text(o.width_m),
-                       number_text(o.height_m));
+                       quoted(map.classes[o.object_class].name), number_text(o.centre_m[0]), number_text(o.centre_m[1]),
+                       number_text(o.centre_m[2]), number_text(o.width_m), number_text(o.height_m));
   };
   return fmt::format("{{ name = {}{}{}{}{}{} }}", quoted(map.name), tables("area", map.areas, rectangle),
                      tables("opening", map.openings, rectangle), tables("wall", map.walls, wall),
