@@ -37,10 +37,7 @@ class Search {
     gains.resize(std::max(gains.size(), (size_ + 1) * cells_));
     largest_gains.resize(std::max(largest_gains.size(), (size_ + 1) * count_));
     std::fill_n(gains.begin(), cells_, std::int16_t{0});
-    hard_ = cells_ > 3 * count_;
-    if (hard_) { find_potentials(); }
     std::fill_n(largest_gains.begin(), count_, 0);
-    if (hard_) dive();
     descend(0, {.matches = 0, .spare = 0, .agreement = 0, .gain_to_come = 0, .size_difference = 0});
     return found_;
   }
@@ -130,7 +127,7 @@ class Search {
       // First as if this match and each later one agreed, which spares most branches the computation of the gains.
       if (!worth(next.agreement + most_to_come, least)) continue;
       next.gain_to_come = add_gains(depth, h, level);
-      if (!worth(next.agreement + (hard_ ? std::min(reach_, next.gain_to_come + most_agreement(size_ - next.matches)) : next.gain_to_come + most_agreement(size_ - next.matches)), least)) continue;
+      if (!worth(next.agreement + next.gain_to_come + most_agreement(size_ - next.matches), least)) continue;
       matches_[v.node] = graph_.numbers[h];
       descend(depth + 1, next);
     }
@@ -144,71 +141,22 @@ class Search {
     }
   }
 
-  void find_potentials() {
-    auto& p = potentials_;
-    p.resize(std::max(p.size(), count_ * cells_));
-    // p[d*cells + cell of k] = sum over j in (d, k)
-    for (std::size_t k = 0; k < count_; ++k) {
-      const Variable& v = variables_[k];
-      for (std::size_t h = v.begin, cell = v.cell; h < v.end; ++h, ++cell) {
-        int sum = 0;
-        for (std::size_t j = k; j-- > 0;) {
-          p[j * cells_ + cell] = static_cast<std::int16_t>(sum);
-          const Variable& u = variables_[j];
-          const std::uint8_t in_image = image_.relations[v.node][u.node];
-          const std::uint8_t* in_graph = graph_.relations + h * graph_.nodes;
-          int most = 0;
-          for (std::size_t l = u.begin; l < u.end && most < 2; ++l) most = std::max<int>(most, agreement_by_difference[in_image ^ in_graph[l]]);
-          sum += most;
-        }
-      }
-    }
-  }
-  static inline thread_local std::vector<std::int16_t> potentials_;
-
-  void dive() {
-    int agreement = 0;
-    std::size_t level = 0;
-    for (std::size_t d = 0; d < count_; ++d) {
-      const Variable& v = variables_[d];
-      const std::int16_t* gains = scratch_.gains.data() + level * cells_ + v.cell;
-      const std::int16_t* pot = potentials_.data() + d * cells_ + v.cell;
-      (void)pot;
-      std::size_t pick = 0;
-      for (std::size_t c = 1; c < v.end - v.begin; ++c) if (gains[c] > gains[pick]) pick = c;
-      if (gains[pick] < 0) continue;
-      agreement += gains[pick];
-      add_gains(d, v.begin + pick, level);
-      ++level;
-    }
-    if (agreement > best_.agreement) { best_.agreement = agreement; best_.size_difference = std::numeric_limits<std::int64_t>::max(); }
-  }
-
   /// Gains and largest gains of the later variables at the next level, and the sum of the largest ones.
   int add_gains(std::size_t depth, std::size_t matched, std::size_t level) {
-    return hard_ ? add_gains_<true>(depth, matched, level) : add_gains_<false>(depth, matched, level);
-  }
-  template <bool Hard>
-  int add_gains_(std::size_t depth, std::size_t matched, std::size_t level) {
     const std::int16_t* now = scratch_.gains.data() + level * cells_;
     std::int16_t* next = scratch_.gains.data() + (level + 1) * cells_;
     int* largest_gains = scratch_.largest_gains.data() + (level + 1) * count_;
     const std::uint8_t* in_graph = graph_.relations + matched * graph_.nodes;
     const auto& in_image = image_.relations[variables_[depth].node];
     int sum = 0;
-    reach_ = 0;
-    const std::int16_t* pot = potentials_.data() + depth * cells_;
     for (std::size_t d = depth + 1; d < count_; ++d) {
       const Variable& v = variables_[d];
       int largest = 0;
-      int reach = 0;
       for (std::size_t h = v.begin, cell = v.cell; h < v.end; ++h, ++cell) {
         const int gain = now[cell] + agreement_by_difference[in_image[v.node] ^ in_graph[h]];
         next[cell] = static_cast<std::int16_t>(gain);
         largest = std::max(largest, gain);
-        if constexpr (Hard) reach = std::max(reach, gain + pot[cell]);
       }
-      reach_ += reach;
       largest_gains[d] = largest;
       sum += largest;
     }
@@ -236,8 +184,6 @@ class Search {
   std::size_t size_ = 0;  // matches of an assignment of maximal size
   NodeMatches matches_;
   bool found_ = false;
-  int reach_ = 0;
-  bool hard_ = false;
 };
 
 }  // namespace
