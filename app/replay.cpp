@@ -129,8 +129,12 @@ int replay(const ReplayOptions& options) {
   const std::string title =
       fmt::format("{}: {}{}trial {}", source.study.title, factors, factors.empty() ? "" : ", ", options.trial);
   if (!options.output.empty()) {
-    replay.drawing.title = title;
-    results::draw(replay.drawing, options.output);
+    std::visit(
+        [&](auto& drawing) {
+          drawing.title = title;
+          results::draw(drawing, options.output);
+        },
+        replay.drawing);
   }
   if (options.json) {
     print_json(replay, source, cell, options.trial);

@@ -41,7 +41,7 @@ results::Schema make_schema() {
       {"convergence", "1", "share of a photo's starts that converge inside the map", false},
       {"converged_starts", "1", "starts of a photo that converge inside the map", false, true},
       {"iterations", "1", "iterations of located photos, averaged over their converged starts", false},
-      {"starts", "1", "starts of a photo", false, true},
+      {"start_count", "1", "starts of a photo", false, true},
       {"objects_visible", "1", "objects that a photo shows", false, true},
       {"objects_detected", "1", "objects detected in a photo", false, true},
       {"pseudorange_error_m", "m", "error of a photo's pseudoranges, averaged over its detections", false},

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "results/drawing.hpp"
+#include "results/floor_plan.hpp"
 #include "studies/building_trials.hpp"
 
 namespace ridgeloc::studies {
@@ -15,9 +15,9 @@ struct BuildingPanel {
   PhotoOutcome outcome;
 };
 
-/// The map around a photo from above, a panel for each method: objects, starts filled where they lead into the map, the
-/// positions found, their mean and the truth.
-results::Drawing building_drawing(const BuildingCell& settings, const BuildingScratch& scratch,
-                                  const std::vector<BuildingPanel>& panels);
+/// The floor around a photo from above, a panel for each method. Coarse starts are filled where they lead to a place
+/// inside the map; starts all over the map are tiles that say where they lead.
+results::FloorPlan building_drawing(const BuildingCell& settings, const BuildingScratch& scratch,
+                                    const std::vector<BuildingPanel>& panels);
 
 }  // namespace ridgeloc::studies

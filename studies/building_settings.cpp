@@ -54,11 +54,14 @@ Enum chosen(const Values& values, std::string_view name, const std::array<std::s
 std::vector<Setting> make_building_settings() {
   const solvers::CoarseOptions coarse;
   std::vector<Setting> settings = photo_settings();
+  settings.push_back(
+      integer("photo", "detections", 0, 0, 12,
+              "photos count that have so many detections; 0: three to seven, as often as in the paper's Table 1"));
+  settings.push_back(
+      choice("photo", "scores", score_names, 0, "scores that solvers weigh with: none, or the detector's"));
+  std::ranges::move(detector_settings(), std::back_inserter(settings));
   const Condition from_grid{"starts", {std::string(start_places_names[1])}};
   const std::vector<Setting> own = {
-      integer("photo", "detections", 0, 0, 12,
-              "photos count that have so many detections; 0: three to seven, as often as in the paper's Table 1"),
-      choice("photo", "scores", score_names, 0, "scores that solvers weigh with: none, or the detector's"),
       choice("coarse", "starts", start_places_names, 0,
              "where solvers start: at coarse positions, or all over the map with the objects rightly told"),
       {"coarse",
@@ -98,7 +101,6 @@ std::vector<Setting> make_building_settings() {
 std::vector<Setting> photo_settings() {
   const sim::PhotoOptions photo;
   const sim::Camera& camera = photo.camera;
-  const sim::DetectorModel detector;
   return {
       {"building", "map", Kind::Building, *find_building("paper"), 0, 0, {}, "1", "the map of the building"},
       real("photo", "camera_height_m", photo.height_m, 0.1, 10, "m", "height of the camera above the floor"),
@@ -115,6 +117,12 @@ std::vector<Setting> photo_settings() {
       real("photo", "zoom", camera.zoom, 1, 100, "1", "digital zoom: the middle part of the sensor, magnified"),
       real("photo", "pitch_sigma_deg", photo.pitch_sigma_deg, 0, 20, "deg", "standard deviation of the camera's pitch"),
       real("photo", "roll_sigma_deg", photo.roll_sigma_deg, 0, 20, "deg", "standard deviation of the camera's roll"),
+  };
+}
+
+std::vector<Setting> detector_settings() {
+  const sim::DetectorModel detector;
+  return {
       real("detector", "recall_near", detector.recall_near, 0, 1, "1", "share of objects detected near by"),
       real("detector", "recall_far", detector.recall_far, 0, 1, "1", "share of objects detected further away"),
       real("detector", "near_m", detector.near_m, 0, 1000, "m", "up to here is near"),

@@ -9,8 +9,9 @@
 
 namespace ridgeloc::studies {
 
-/// Sections building, photo and detector: what a photo shows and what is detected in it.
+/// Sections building and photo: what a photo shows. Section detector: what is detected in it.
 std::vector<Setting> photo_settings();
+std::vector<Setting> detector_settings();
 
 /// What a cell says about them. Valid as long as the values.
 struct PhotoCell {
@@ -27,7 +28,7 @@ enum class StartPlaces {
 };
 inline constexpr std::array<std::string_view, 2> start_places_names = {"coarse", "grid"};
 
-/// Settings of the `building` experiment: those above, coarse and solver.
+/// Settings of the `building` experiment: those above, and sections coarse and solver.
 std::span<const Setting> building_settings();
 
 struct BuildingCell {

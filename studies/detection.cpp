@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "core/error.hpp"
@@ -39,6 +40,7 @@ struct DetectionScratch : Workspace {
 
 std::vector<Setting> make_settings() {
   std::vector<Setting> settings = photo_settings();
+  std::ranges::move(detector_settings(), std::back_inserter(settings));
   settings.push_back({"object",
                       "object_class",
                       Kind::Text,

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "results/data_table.hpp"
 #include "results/drawing.hpp"
+#include "results/floor_plan.hpp"
 
 namespace ridgeloc::studies {
 
@@ -19,7 +21,7 @@ struct ReplayedMethod {
 struct Replay {
   std::vector<results::DataTable> scene;  ///< what was simulated
   std::vector<ReplayedMethod> methods;    ///< in the order asked for
-  results::Drawing drawing;               ///< without a title
+  std::variant<results::Drawing, results::FloorPlan> drawing;  ///< without a title
 };
 
 }  // namespace ridgeloc::studies

@@ -170,7 +170,7 @@ TEST_CASE("a replay asks Ceres where a method has an objective") {
 TEST_CASE("the drawing of a replay shows the scene, every path and contours") {
   const Study s = study("[scene]\npoints = 3\n[noise]\nrange_sigma_m = 0.5\n");
   const Replay r = replay(s, 7);  // on which ols diverges
-  const results::Drawing& d = r.drawing;
+  const auto& d = std::get<results::Drawing>(r.drawing);
   REQUIRE(d.paths.size() == s.methods.size());
   CHECK(d.paths[0].label == "ols");
   CHECK_FALSE(d.paths[0].filled_end);
