@@ -38,11 +38,6 @@ void check_options(const CoarseOptions& options) {
   if (options.min_matched == 0) throw std::invalid_argument("coarse matching: min_matched must be at least 1");
 }
 
-/// Agreement of n matches that agree in everything.
-int full_agreement(std::size_t n) {
-  return static_cast<int>(n * (n - 1));
-}
-
 const std::uint8_t* find_byte(const std::uint8_t* begin, const std::uint8_t* end, std::size_t value) {
   const void* found = std::memchr(begin, static_cast<int>(value), static_cast<std::size_t>(end - begin));
   return found == nullptr ? end : static_cast<const std::uint8_t*>(found);

@@ -293,7 +293,6 @@ TEST_CASE("six lamps of twelve") {
   const auto graph = random_nodes(engine, 12, 1);
   std::vector<GraphNode> image(graph.begin(), graph.begin() + 6);
   CoarseOptions options;
-  // A sixth of all relations is spoilt;.
   image[0].x_px += 250.0;
   image[3].y_px += 250.0;
   const auto poses = match(solvers::MapGraphDatabase({graph_of(graph)}), image, options);
