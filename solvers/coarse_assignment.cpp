@@ -7,7 +7,7 @@ namespace ridgeloc::solvers {
 
 namespace {
 
-/// What a match gains that would use a node of the graph again: less than all others can give.
+/// What a match gains that would use a node of the graph again: no branch with it is worth anything.
 constexpr int taken = -1024;
 static_assert(-taken > static_cast<int>(max_image_nodes * (max_image_nodes - 1)));
 
@@ -116,7 +116,6 @@ class Search {
     for (std::size_t h = v.begin; h < v.end; ++h) {
       const std::size_t cell = v.cell + h - v.begin;
       const int gain = scratch_.gains[level * cells_ + cell];
-      if (gain < 0) continue;
       Branch next{.matches = level + 1,
                   .spare = spare,
                   .agreement = branch.agreement + gain,

@@ -67,7 +67,7 @@ constexpr int full_agreement(std::size_t n) {
 ///             quadratic assignments, with each pair counted at its later node): the same in all branches,
 ///   reach     the sum of both.
 /// No completion of a branch agrees more than the branch does, plus the largest reach of every later image node.
-/// The time grows exponentially with the nodes of one class: 7 of 12 take some 0.1 ms, 16 of 20 may take seconds.
+/// At worst the time grows exponentially with the image nodes of one class.
 bool improve_assignment(const PreparedImage& image, const PreparedGraph& graph, bool sizes, AssignmentScratch& scratch,
                         Assignment& best);
 
