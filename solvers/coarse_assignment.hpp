@@ -63,8 +63,8 @@ constexpr int full_agreement(std::size_t n) {
 /// Branch and bound. Image nodes are matched one after the other, those whose class is rarest in the graph first. For a
 /// possible later match,
 ///   gain      is its agreement with the matches made,
-///   prospect  the agreement with any later match of an earlier node, each at its best (Gilmore and Lawler's bound of
-///             quadratic assignments, with each pair counted at its later node): the same in all branches,
+///   prospect  the most that it may agree with the matches, yet to be made, of nodes before its own, each pair for
+///             itself (as in the bound of Gilmore and Lawler for quadratic assignments): the same in all branches,
 ///   reach     the sum of both.
 /// No completion of a branch agrees more than the branch does, plus the largest reach of every later image node.
 /// At worst the time grows exponentially with the image nodes of one class.
