@@ -15,6 +15,7 @@ import sys
 CERES = "ceres-qr/matched"
 TINY = "tinysolver/matched"
 STD = "generate/mt19937_64"
+SCAN = "coarse/scan"
 
 
 class Row:
@@ -84,10 +85,10 @@ def print_solvers(points, rows):
     print_table(f"Solving, n = {points}", header, lines)
 
 
-def print_generators(points, rows):
-    lines = [[name, nanoseconds(row.median()), f"{row.spread():.1%}", ratio(rows, STD, row)]
+def print_times(title, rows, reference):
+    lines = [[name, nanoseconds(row.median()), f"{row.spread():.1%}", ratio(rows, reference, row)]
              for name, row in sorted(rows.items(), key=lambda item: item[1].order)]
-    print_table(f"Drawing, and whole blocks, n = {points}", ["row", "ns per trial", "spread", "x mt19937_64"], lines)
+    print_table(title, ["row", "ns per trial", "spread", f"x {reference.rpartition('/')[2]}"], lines)
 
 
 def main(paths):
@@ -95,11 +96,14 @@ def main(paths):
         sys.exit(__doc__)
     for points, rows in sorted(read(paths).items()):
         solvers = {name: row for name, row in rows.items() if row.accuracy}
-        generators = {name: row for name, row in rows.items() if not row.accuracy}
+        coarse = {name: row for name, row in rows.items() if name.startswith("coarse/")}
+        generators = {name: row for name, row in rows.items() if not row.accuracy and name not in coarse}
         if solvers:
             print_solvers(points, solvers)
         if generators:
-            print_generators(points, generators)
+            print_times(f"Drawing, and whole blocks, n = {points}", generators, STD)
+        if coarse:
+            print_times(f"Coarse positioning, a photo among {points} graphs", coarse, SCAN)
 
 
 if __name__ == "__main__":

@@ -27,7 +27,14 @@ echo "bench: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1), core $
 "${on_one_core[@]}" "$bench" --benchmark_repetitions=21 --benchmark_min_time=0.05 \
   --benchmark_enable_random_interleaving=true --benchmark_out="$out/bench.json" --benchmark_out_format=json "$@" >&2
 
-tables=("$out/bench.json")
+"${on_one_core[@]}" "$root/build/bench/bench/ridgeloc_bench_coarse" --benchmark_repetitions=9 --benchmark_min_time=0.05 \
+  --benchmark_enable_random_interleaving=true --benchmark_out="$out/coarse.json" --benchmark_out_format=json "$@" >&2
+
+# A filter may leave one of them empty.
+tables=()
+for file in "$out/bench.json" "$out/coarse.json"; do
+  if [[ -s $file ]]; then tables+=("$file"); fi
+done
 for points in 3 4 5 7; do
   # Only beside the rows that were asked for.
   grep -q "\"run_name\": \"[a-z].*/$points\"" "$out/bench.json" || continue

@@ -7,7 +7,7 @@ namespace ridgeloc::solvers {
 
 namespace {
 
-/// What a match gains that would use a node of the graph again: less than all others can give.
+/// What a match gains that would use a node of the graph again: no branch with it is worth anything.
 constexpr int taken = -1024;
 static_assert(-taken > static_cast<int>(max_image_nodes * (max_image_nodes - 1)));
 
@@ -32,13 +32,13 @@ class Search {
   }
 
   bool run() {
-    if (!worth(most_agreement(size_), least_difference(0))) return false;
-    auto& [gains, largest_gains, size_differences] = scratch_;
-    gains.resize(std::max(gains.size(), (size_ + 1) * cells_));
-    largest_gains.resize(std::max(largest_gains.size(), (size_ + 1) * count_));
-    std::fill_n(gains.begin(), cells_, std::int16_t{0});
-    std::fill_n(largest_gains.begin(), count_, 0);
-    descend(0, {.matches = 0, .spare = 0, .agreement = 0, .gain_to_come = 0, .size_difference = 0});
+    if (!worth(full_agreement(size_), least_difference(0))) return false;
+    grow(scratch_.gains, (size_ + 1) * cells_);
+    grow(scratch_.prospects, (count_ + 1) * cells_);
+    grow(scratch_.largest_reaches, (size_ + 1) * count_);
+    std::fill_n(scratch_.gains.begin(), cells_, std::int16_t{0});
+    const int reach = find_prospects();
+    descend(0, {.matches = 0, .spare = 0, .agreement = 0, .reach = reach, .size_difference = 0});
     return found_;
   }
 
@@ -57,7 +57,7 @@ class Search {
     std::size_t matches;
     std::size_t spare;  // image nodes of the class at hand that may still go unmatched
     int agreement;
-    int gain_to_come;  // sum of the largest gains of all later variables
+    int reach;  // how much more agreement later matches may add
     std::int64_t size_difference;
   };
 
@@ -87,7 +87,7 @@ class Search {
 
   void compare_sizes(bool sizes) {
     auto& differences = scratch_.size_differences;
-    differences.resize(std::max(differences.size(), cells_));
+    grow(differences, cells_);
     std::fill_n(differences.begin(), cells_, std::int64_t{0});
     if (!sizes) return;
     for (std::size_t d = count_; d-- > 0;) {
@@ -112,40 +112,71 @@ class Search {
     const std::size_t level = branch.matches;
     const bool opens_class = depth == 0 || variables_[depth - 1].begin != v.begin;
     const std::size_t spare = opens_class ? v.spare : branch.spare;
-    const int others_gain = branch.gain_to_come - scratch_.largest_gains[level * count_ + depth];
-    const int most_to_come = others_gain + most_agreement(size_ - level);
+    const int later_reach = branch.reach - scratch_.largest_reaches[level * count_ + depth];
     for (std::size_t h = v.begin; h < v.end; ++h) {
       const std::size_t cell = v.cell + h - v.begin;
       const int gain = scratch_.gains[level * cells_ + cell];
-      if (gain < 0) continue;
       Branch next{.matches = level + 1,
                   .spare = spare,
                   .agreement = branch.agreement + gain,
-                  .gain_to_come = 0,
+                  .reach = later_reach,
                   .size_difference = branch.size_difference + scratch_.size_differences[cell]};
       const std::int64_t least = next.size_difference + least_difference(depth + 1);
-      // First as if this match and each later one agreed, which spares most branches the computation of the gains.
-      if (!worth(next.agreement + most_to_come, least)) continue;
-      next.gain_to_come = add_gains(depth, h, level);
-      if (!worth(next.agreement + next.gain_to_come + most_agreement(size_ - next.matches), least)) continue;
+      // First with what was known before this match, which spares most branches the computation of the gains.
+      if (!worth(next.agreement + next.reach, least)) continue;
+      next.reach = add_gains(depth, h, level);
+      if (!worth(next.agreement + next.reach, least)) continue;
       matches_[v.node] = graph_.numbers[h];
       descend(depth + 1, next);
     }
     matches_[v.node] = unmatched_node;
-    if (spare > 0 && worth(branch.agreement + most_to_come, branch.size_difference + least_difference(depth + 1))) {
+    if (spare > 0 && worth(branch.agreement + later_reach, branch.size_difference + least_difference(depth + 1))) {
       descend(depth + 1, {.matches = level,
                           .spare = spare - 1,
                           .agreement = branch.agreement,
-                          .gain_to_come = others_gain,
+                          .reach = later_reach,
                           .size_difference = branch.size_difference});
     }
   }
 
-  /// Gains and largest gains of the later variables at the next level, and the sum of the largest ones.
+  /// For every depth, the prospects of all later variables; those of depth 0 are for the root, where nothing is matched
+  /// and every variable is later. Returns the reach of the root.
+  int find_prospects() {
+    int reach = 0;
+    for (std::size_t d = 0; d < count_; ++d) {
+      const Variable& v = variables_[d];
+      int largest = 0;
+      for (std::size_t h = v.begin, cell = v.cell; h < v.end; ++h, ++cell) {
+        int prospect = 0;
+        for (std::size_t e = d; e-- > 0;) {
+          scratch_.prospects[(e + 1) * cells_ + cell] = static_cast<std::int16_t>(prospect);
+          prospect += most_agreement(v, h, variables_[e]);
+        }
+        scratch_.prospects[cell] = static_cast<std::int16_t>(prospect);
+        largest = std::max(largest, prospect);
+      }
+      scratch_.largest_reaches[d] = largest;
+      reach += largest;
+    }
+    return reach;
+  }
+
+  /// Of the match of v with graph node h and any match of u.
+  int most_agreement(const Variable& v, std::size_t h, const Variable& u) const {
+    const std::uint8_t in_image = image_.relations[v.node][u.node];
+    const std::uint8_t* in_graph = graph_.relations + h * graph_.nodes;
+    std::int16_t most = 0;
+    for (std::size_t k = u.begin; k < u.end; ++k)
+      most = std::max(most, agreement_by_difference[in_image ^ in_graph[k]]);
+    return most;
+  }
+
+  /// Gains and largest reaches of the later variables at the next level. Returns the reach of the branch.
   int add_gains(std::size_t depth, std::size_t matched, std::size_t level) {
     const std::int16_t* now = scratch_.gains.data() + level * cells_;
     std::int16_t* next = scratch_.gains.data() + (level + 1) * cells_;
-    int* largest_gains = scratch_.largest_gains.data() + (level + 1) * count_;
+    const std::int16_t* prospects = scratch_.prospects.data() + (depth + 1) * cells_;
+    int* largest_reaches = scratch_.largest_reaches.data() + (level + 1) * count_;
     const std::uint8_t* in_graph = graph_.relations + matched * graph_.nodes;
     const auto& in_image = image_.relations[variables_[depth].node];
     int sum = 0;
@@ -155,9 +186,9 @@ class Search {
       for (std::size_t h = v.begin, cell = v.cell; h < v.end; ++h, ++cell) {
         const int gain = now[cell] + agreement_by_difference[in_image[v.node] ^ in_graph[h]];
         next[cell] = static_cast<std::int16_t>(gain);
-        largest = std::max(largest, gain);
+        largest = std::max(largest, gain + prospects[cell]);
       }
-      largest_gains[d] = largest;
+      largest_reaches[d] = largest;
       sum += largest;
     }
     return sum;
@@ -171,8 +202,10 @@ class Search {
     return depth < count_ ? variables_[depth].least_difference : 0;
   }
 
-  /// Of n matches with each other: 2 for each pair.
-  static int most_agreement(std::size_t n) { return n == 0 ? 0 : static_cast<int>(n * (n - 1)); }
+  template <class Value>
+  static void grow(std::vector<Value>& room, std::size_t size) {
+    if (room.size() < size) room.resize(size);
+  }
 
   const PreparedImage& image_;
   const PreparedGraph& graph_;

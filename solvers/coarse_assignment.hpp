@@ -44,19 +44,30 @@ struct Assignment {
 
 /// Room for searches. Grows only. Not synchronized: one per thread.
 struct AssignmentScratch {
-  std::vector<std::int16_t> gains;
-  std::vector<int> largest_gains;
-  std::vector<std::int64_t> size_differences;
+  std::vector<std::int16_t> gains;             ///< matches made x cells; a cell is a possible match
+  std::vector<std::int16_t> prospects;         ///< depth x cells
+  std::vector<int> largest_reaches;            ///< matches made x image nodes
+  std::vector<std::int64_t> size_differences;  ///< by cell
 };
+
+/// The agreement of n matches whose relations are all equal: 2 for each pair.
+constexpr int full_agreement(std::size_t n) {
+  return n == 0 ? 0 : static_cast<int>(n * (n - 1));
+}
 
 /// Replaces `best` by the best assignment of maximal size, min(image nodes, graph nodes) matches in every class, if
 /// that is better: more agreement, or as much and a smaller size difference (`sizes`; otherwise all of them are 0).
 /// Returns whether it did. Of equal assignments the first counts, image nodes being in the order of the search (by
 /// number of graph nodes of their class, then class, then number) and trying graph nodes by number, then none.
 ///
-/// Branch and bound. Image nodes are matched one after the other, those whose class is rarest in the graph first. The
-/// gain of a later match is its agreement with the matches made so far; no completion of a branch agrees more than the
-/// branch does, plus the largest gain of every later image node, plus 2 for each pair of later matches.
+/// Branch and bound. Image nodes are matched one after the other, those whose class is rarest in the graph first. For a
+/// possible later match,
+///   gain      is its agreement with the matches made,
+///   prospect  the most that it may agree with the matches, yet to be made, of nodes before its own, each pair for
+///             itself (as in the bound of Gilmore and Lawler for quadratic assignments): the same in all branches,
+///   reach     the sum of both.
+/// No completion of a branch agrees more than the branch does, plus the largest reach of every later image node.
+/// At worst the time grows exponentially with the image nodes of one class.
 bool improve_assignment(const PreparedImage& image, const PreparedGraph& graph, bool sizes, AssignmentScratch& scratch,
                         Assignment& best);
 

@@ -38,9 +38,11 @@ void check_options(const CoarseOptions& options) {
   if (options.min_matched == 0) throw std::invalid_argument("coarse matching: min_matched must be at least 1");
 }
 
-/// Agreement of n matches that agree in everything.
-int full_agreement(std::size_t n) {
-  return static_cast<int>(n * (n - 1));
+/// sum[i] += min(counts[i], limit). A function of values, not of members: a byte that is stored may change any member,
+/// and compilers would not take several places at once.
+void add_smaller(const std::uint8_t* counts, std::uint8_t limit, std::size_t size, std::uint8_t* sum) {
+  for (std::size_t i = 0; i < size; ++i)
+    sum[i] = static_cast<std::uint8_t>(sum[i] + (counts[i] < limit ? counts[i] : limit));
 }
 
 const std::uint8_t* find_byte(const std::uint8_t* begin, const std::uint8_t* end, std::size_t value) {
@@ -144,10 +146,7 @@ void MapGraphDatabase::count_matches(const PreparedImage& image, std::vector<std
   for (auto c = classes.begin(); c != classes.end(); ++c) {
     if (*c == classes_.size() || std::find(classes.begin(), c, *c) != c) continue;
     const auto in_image = static_cast<std::uint8_t>(std::count(c, classes.end(), *c));
-    const std::uint8_t* in_graph = counts_.data() + *c * stride_;
-    std::uint8_t* sum = matched.data();
-    for (std::size_t place = 0; place < stride_; ++place)
-      sum[place] = static_cast<std::uint8_t>(sum[place] + std::min(in_graph[place], in_image));
+    add_smaller(counts_.data() + *c * stride_, in_image, stride_, matched.data());
   }
 }
 

@@ -52,10 +52,9 @@ double coarse_score(std::size_t image_nodes, std::size_t graph_nodes, std::size_
 struct CoarsePose {
   std::size_t graph;
   double score;
-  double
-      size_difference;  ///< mean |log(box height in the image / in the graph)| over matches; 0 with CoarseTies::Order
-  std::size_t matched;  ///< N
-  NodeMatches matches;  ///< by image node
+  double size_difference;  ///< mean |log(height in the image / in the graph)| over matches; 0 with CoarseTies::Order
+  std::size_t matched;     ///< N
+  NodeMatches matches;     ///< by image node
 };
 
 /// Room for a match. Grows only. Not synchronized: one per thread.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "solvers/coarse_matching.hpp"
 #include "tests/solvers/all_methods.hpp"
 #include "tests/solvers/sample.hpp"
 
@@ -69,4 +70,34 @@ TEST_CASE("a solve allocates nothing once its buffers have grown, whatever the o
       }
     }
   }
+}
+
+TEST_CASE("matching a photo with map graphs allocates nothing once its buffers have grown") {
+  std::mt19937_64 engine(1);
+  const auto nodes = [&](std::size_t count) {
+    std::vector<solvers::GraphNode> drawn(count);
+    for (solvers::GraphNode& node : drawn) {
+      node = {.object_class = static_cast<std::uint32_t>(engine() % 4),
+              .x_px = tests::uniform(engine, 0.0, 3000.0),
+              .y_px = tests::uniform(engine, 0.0, 2000.0),
+              .width_px = 100.0,
+              .height_px = tests::uniform(engine, 50.0, 200.0)};
+    }
+    return drawn;
+  };
+  std::vector<solvers::MapGraph> graphs(50);
+  for (solvers::MapGraph& graph : graphs) {
+    graph.nodes = nodes(10);
+    graph.objects.resize(10);
+  }
+  const solvers::MapGraphDatabase database(std::move(graphs));
+  const auto image = nodes(6);
+  solvers::CoarseScratch scratch;
+  std::vector<solvers::CoarsePose> poses;
+  database.match(image, {}, scratch, poses);
+  const std::size_t before = allocations.load();
+  database.match(image, {}, scratch, poses);
+  const std::size_t made = allocations.load() - before;
+  CHECK(made == 0);
+  CHECK(poses.size() == 4);
 }

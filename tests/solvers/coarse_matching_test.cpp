@@ -288,12 +288,26 @@ TEST_CASE("large graphs with repeated classes: a database finds what its graphs 
   }
 }
 
+TEST_CASE("of equal assignments the first counts, the rarest class being matched first") {
+  const auto node = [](std::uint32_t object_class, double x) {
+    return GraphNode{.object_class = object_class, .x_px = x, .y_px = 0.0, .width_px = 10.0, .height_px = 10.0};
+  };
+  // Three doors in one place and two bins in another; the image has one bin more.
+  const MapGraph graph = graph_of({node(1, 100), node(1, 100), node(1, 100), node(2, 50), node(2, 50), node(3, 0)});
+  const std::vector<GraphNode> image = {node(1, 100), node(2, 50), node(2, 50), node(2, 50), node(3, 0)};
+  for (const CoarseTies ties : {CoarseTies::Size, CoarseTies::Order}) {
+    const auto poses = match(solvers::MapGraphDatabase({graph}), image, {.ties = ties});
+    REQUIRE(poses.size() == 1);
+    const auto& matches = poses[0].matches;
+    CHECK(std::vector<int>(matches.begin(), matches.begin() + 5) == std::vector<int>{0, 3, 4, none, 5});
+  }
+}
+
 TEST_CASE("six lamps of twelve") {
   std::mt19937_64 engine(4);
   const auto graph = random_nodes(engine, 12, 1);
   std::vector<GraphNode> image(graph.begin(), graph.begin() + 6);
   CoarseOptions options;
-  // A sixth of all relations is spoilt;.
   image[0].x_px += 250.0;
   image[3].y_px += 250.0;
   const auto poses = match(solvers::MapGraphDatabase({graph_of(graph)}), image, options);
