@@ -97,6 +97,10 @@ void take_photo(const BuildingMap& map, const Camera& camera, const CameraPose& 
   image_distance_mm = camera.focal_length_mm;
   for (std::size_t i = 0; i < map.objects.size(); ++i) {
     const MapObject& object = map.objects[i];
+    // Most objects of a large map are dismissed here.
+    const double dx = object.centre_m[0] - eye[0];
+    const double dy = object.centre_m[1] - eye[1];
+    if (dx * dx + dy * dy > camera.farthest_m * camera.farthest_m) continue;
     const auto view = photographer.view(object, i, image_distance_mm);
     if (!view) continue;
     if (map.sees(eye, {object.centre_m[0], object.centre_m[1]})) views.push_back(*view);

@@ -51,7 +51,7 @@ results::Schema make_schema() {
   };
   for (const Metric compared : {ErrorM, Convergence, Iterations}) schema.metrics[compared].is_compared = true;
   schema.events = {
-      {"success", "photos located: a start converges inside the map", false},
+      {"success", "photos located", false},
       {"outside_map", "photos of which starts converge, none of them inside the map", true},
       {"diverged", "photos of which no start converges", true},
       {"no_start", "photos without a coarse position", true},

@@ -54,9 +54,7 @@ Enum chosen(const Values& values, std::string_view name, const std::array<std::s
 std::vector<Setting> make_building_settings() {
   const solvers::CoarseOptions coarse;
   std::vector<Setting> settings = photo_settings();
-  settings.push_back(
-      integer("photo", "detections", 0, 0, 12,
-              "photos count that have so many detections; 0: three to seven, as often as in the paper's Table 1"));
+  settings.push_back(integer("photo", "detections", 0, 0, 12, "number of detections (0: 3 to 7 as in Table 1)"));
   settings.push_back(
       choice("photo", "scores", score_names, 0, "scores that solvers weigh with: none, or the detector's"));
   std::ranges::move(detector_settings(), std::back_inserter(settings));

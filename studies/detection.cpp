@@ -41,15 +41,8 @@ struct DetectionScratch : Workspace {
 std::vector<Setting> make_settings() {
   std::vector<Setting> settings = photo_settings();
   std::ranges::move(detector_settings(), std::back_inserter(settings));
-  settings.push_back({"object",
-                      "object_class",
-                      Kind::Text,
-                      std::string(any_class),
-                      0,
-                      0,
-                      {},
-                      "1",
-                      "a class of the map: objects of others do not count; or any"});
+  settings.push_back(
+      {"object", "object_class", Kind::Text, std::string(any_class), 0, 0, {}, "1", "class of the objects"});
   settings.push_back({"object",
                       "distance",
                       Kind::Choice,
@@ -58,7 +51,7 @@ std::vector<Setting> make_settings() {
                       0,
                       {distance_names.begin(), distance_names.end()},
                       "1",
-                      "objects that count: any, those up to detector.near_m, or those further away"});
+                      "near or far objects"});
   settings.push_back({"object",
                       "least_detections",
                       Kind::Integer,
