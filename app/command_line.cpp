@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "app/build_info.hpp"
+#include "app/duration.hpp"
 #include "app/exit_code.hpp"
 #include "app/options.hpp"
 #include "app/output.hpp"
@@ -90,7 +91,9 @@ class CommandLine {
             "compute one of N shares only, i from 1 to N; merge puts them together")
         ->type_name("i/N");
     run_verb
-        .add_option("--time-limit", run_.time_limit, "stop after this time (90s, 10m, 1h30m, HH:MM:SS) and keep all")
+        .add_option_function<std::string>(
+            "--time-limit", [this](const std::string& text) { run_.time_limit_s = seconds_of(text); },
+            "stop after this time (90s, 10m, 1h30m, HH:MM:SS) and keep all")
         ->type_name("TIME");
 
     CLI::App& merge_verb = verb("merge", "put results of one study together: shards, or more trials, cells, methods",
@@ -109,12 +112,16 @@ class CommandLine {
     CLI::App& verify_verb =
         verb("verify", "check a result, and compute some of its blocks again", [this] { return verify(verify_); });
     verify_verb.add_option("RESULT", verify_.result, "result file")->required();
-    verify_verb.add_option("--blocks", verify_.blocks, "random blocks to compute again")
-        ->default_val(verify_.blocks)
-        ->check(CLI::Range(std::uint64_t{0}, studies::max_trials))
-        ->type_name("N");
-    verify_verb.add_option("--seed", verify_.seed, "chooses the blocks (default: others each time)")->type_name("N");
-    verify_verb.add_flag("--digest", verify_.digest, "only print the digest of the data");
+    CLI::Option* blocks = verify_verb.add_option("--blocks", verify_.blocks, "random blocks to compute again")
+                              ->default_val(verify_.blocks)
+                              ->check(CLI::Range(std::uint64_t{0}, studies::max_trials))
+                              ->type_name("N");
+    CLI::Option* seed =
+        verify_verb.add_option("--seed", verify_.seed, "chooses the blocks (default: others each time)")
+            ->type_name("N");
+    verify_verb.add_flag("--digest", verify_.digest, "only print the digest of the data")
+        ->excludes(blocks)
+        ->excludes(seed);
     add_threads(verify_verb, verify_.threads);
 
     CLI::App& summary_verb = verb("summary", "print a result as tables", [this] { return summary(summary_); });

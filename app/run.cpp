@@ -1,9 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -80,6 +81,18 @@ void print_surplus(const Job& job) {
   }
 }
 
+fs::path parts_of(const fs::path& output) {
+  return output.string() + ".parts";
+}
+
+/// Where finished blocks are: " in r.h5 and r.h5.parts".
+std::string kept_in(const fs::path& output) {
+  std::vector<std::string> places;
+  for (const fs::path& path : {output, parts_of(output)})
+    if (path_exists(path)) places.push_back(path.string());
+  return places.empty() ? "" : fmt::format(" in {}", fmt::join(places, " and "));
+}
+
 /// Runs one study; returns false when it was stopped before the end.
 bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
   print_surplus(job);
@@ -91,15 +104,15 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
     outcome = studies::run_study(job.study, job.plan, job.assignment, job.output, threads, build_provenance(), progress,
                                  stop);
   } catch (const core::IoError& error) {
-    const std::string parts = job.output.string() + ".parts";
-    const std::string kept = path_exists(parts) ? fmt::format("finished parts are kept in {}; ", parts) : "";
+    const fs::path parts = parts_of(job.output);
+    const std::string kept = path_exists(parts) ? fmt::format("finished parts are kept in {}; ", parts.string()) : "";
     throw core::IoError(fmt::format("{} ({}the same command goes on from there)", error.what(), kept));
   }
   for (const std::string& warning : outcome.warnings) fmt::print(stderr, "warning: {}\n", warning);
   const std::uint64_t blocks = progress.blocks_total;
   if (!outcome.sealed) {
-    fmt::print(stderr, "{}: stopped; {} of {} blocks are kept in {}.parts. The same command goes on from there.\n",
-               job.study.name, outcome.blocks_found + outcome.blocks_run, blocks, job.output.string());
+    fmt::print(stderr, "{}: stopped; {} of {} blocks are kept{}. The same command goes on from there.\n",
+               job.study.name, outcome.blocks_kept, blocks, kept_in(job.output));
     return false;
   }
   if (outcome.unchanged) {
@@ -130,7 +143,8 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
 int run(const RunOptions& options) {
   const std::vector<Job> jobs = make_jobs(options);
   const std::atomic<bool>& stop = stop_on_signals();
-  const auto limit = options.time_limit.empty() ? nullptr : std::make_unique<TimeLimit>(seconds_of(options.time_limit));
+  std::optional<TimeLimit> limit;
+  if (options.time_limit_s) limit.emplace(*options.time_limit_s);
   for (const Job& job : jobs) {
     if (!run_job(job, options.study.threads, stop)) return Stopped;
   }

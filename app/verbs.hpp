@@ -37,7 +37,7 @@ struct RunOptions {
   StudyOptions study;
   std::string output;  ///< a file, or a folder for several studies; empty: NAME.h5 here
   studies::Shard shard;
-  std::string time_limit;  ///< as `seconds_of` reads it; empty: none
+  std::optional<double> time_limit_s;  ///< absent: none
 };
 int run(const RunOptions& options);
 

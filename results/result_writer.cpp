@@ -164,6 +164,17 @@ std::vector<std::size_t> ResultWriter::missing_methods(std::size_t cell, std::ui
   return missing;
 }
 
+std::uint64_t ResultWriter::blocks_there(std::size_t cell, std::uint64_t trials,
+                                         const std::vector<std::size_t>& methods) const {
+  std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
+  const std::lock_guard lock(state_mutex_);
+  for (const std::size_t method : methods) {
+    const Coverage& blocks = present_.at(cell * header_.methods.size() + method).blocks;
+    fewest = std::min(fewest, blocks.count(trials, header_.block_trials));
+  }
+  return fewest;
+}
+
 ResultWriter::Extent ResultWriter::extent(std::size_t cell, const std::vector<std::size_t>& methods) const {
   Extent extent{std::numeric_limits<std::uint64_t>::max(), 0};
   const std::lock_guard lock(state_mutex_);
@@ -275,6 +286,9 @@ void ResultWriter::require_complete(const Ledger& ledger) const {
 void ResultWriter::seal(const Provenance& provenance) {
   flush();
   const std::lock_guard lock(parts_mutex_);
+  // A merge does not hold the lock, and what it has written here would be lost.
+  if (!has_result_ && is_there(path_))
+    throw core::IoError(fmt::format("{} has appeared while the study ran, and is not replaced", path_.string()));
   BlockUnion blocks(header_);
   if (has_result_) blocks.add(read_result_blocks(path_, header_));
   for (const fs::path& part : parts_) blocks.add(read_part_blocks(part, header_));

@@ -379,6 +379,20 @@ TEST_CASE("a writer that took no trial leaves nothing behind") {
   CHECK(fs::is_empty(folder.path()));
 }
 
+TEST_CASE("a result that another program has written meanwhile is not replaced, and the parts stay") {
+  const test::ScratchFolder folder;
+  const Header header = test::sample_header();
+  const std::string digest = digest_of_plain_run(folder / "other.h5");
+  {
+    ResultWriter writer(folder / "r.h5", header);
+    add(writer, header, 0, 0);
+    fs::copy_file(folder / "other.h5", folder / "r.h5");
+    CHECK_THROWS_AS(writer.seal({}), core::IoError);
+  }
+  CHECK(data_digest(folder / "r.h5") == digest);
+  CHECK(fs::exists(parts_of(folder / "r.h5")));
+}
+
 TEST_CASE("two runs cannot write the same result at once") {
   const test::ScratchFolder folder;
   const ResultWriter writer(folder / "result.h5", test::sample_header());
