@@ -43,11 +43,10 @@ studies::Shard shard_of(const std::string& text) {
   const auto number = std::from_chars(text.data(), end, shard.number);
   const bool slash = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
   const auto count = slash ? std::from_chars(number.ptr + 1, end, shard.count) : number;
-  constexpr std::uint64_t most = 1'000'000;
   const bool read = slash && count.ec == std::errc() && count.ptr == end;
-  if (!read || shard.number < 1 || shard.number > shard.count || shard.count > most) {
-    throw core::InputError(
-        fmt::format("--shard {}: write it as i/N with i from 1 to N and N up to {}, for example 2/7", text, most));
+  if (!read || shard.number < 1 || shard.number > shard.count || shard.count > studies::max_shards) {
+    throw core::InputError(fmt::format("--shard {}: write it as i/N with i from 1 to N and N up to {}, for example 2/7",
+                                       text, studies::max_shards));
   }
   return shard;
 }
@@ -77,9 +76,17 @@ class CommandLine {
     new_verb.add_option("EXPERIMENT", new_.experiment)->required()->check(CLI::IsMember(experiment_names()));
     new_verb.add_option("-o", new_.output, "file to write")->type_name("FILE");
 
-    add_study_options(
-        verb("plan", "cells, blocks, time and disk of a study, without running it", [this] { return plan(plan_); }),
-        plan_);
+    CLI::App& plan_verb =
+        verb("plan", "cells, blocks, time and disk of a study, without running it", [this] { return plan(plan_); });
+    add_study_options(plan_verb, plan_.study);
+    CLI::Option* slurm =
+        plan_verb.add_option("--slurm", plan_.slurm, "write a script that runs the study as a job array of Slurm")
+            ->type_name("FILE");
+    plan_verb
+        .add_option("--shards", plan_.shares, "tasks of this array (default: so many that each takes about an hour)")
+        ->check(CLI::Range(std::uint64_t{2}, studies::max_shards))
+        ->type_name("N")
+        ->needs(slurm);
 
     CLI::App& run_verb = verb("run", "run studies; goes on where a stopped run of the same study left off",
                               [this] { return run(run_); });
@@ -205,7 +212,7 @@ class CommandLine {
   std::function<int()> action_;
   ListOptions list_;
   NewOptions new_;
-  StudyOptions plan_;
+  PlanOptions plan_;
   RunOptions run_;
   MergeOptions merge_;
   CompareOptions compare_;

@@ -44,6 +44,15 @@ core::Isa isa_of(const std::string& asked, const std::vector<results::Header>& h
 
 }  // namespace
 
+void require_shareable(const studies::Study& study) {
+  if (study.stop) {
+    throw core::InputError(
+        fmt::format("{}: a share cannot know when a cell has enough trials; remove [stop] from the study, or run it "
+                    "as a whole",
+                    study.name));
+  }
+}
+
 std::string difference_to(const studies::Study& study, const results::Header& found, const std::string& path) {
   if (found.experiment == study.experiment->name() && found.experiment_version != study.experiment->version()) {
     return fmt::format("was computed by version {} of the experiment {}, this program has {}", found.experiment_version,
@@ -63,12 +72,7 @@ studies::Study study_of(const results::Header& header, const std::string& path) 
 
 Job continued(studies::Study study, const std::filesystem::path& output, const std::string& isa,
               const studies::Shard& shard) {
-  if (study.stop && shard.count > 1) {
-    throw core::InputError(
-        fmt::format("{}: a share cannot know when a cell has enough trials; remove [stop] from the study, or run it "
-                    "without --shard",
-                    study.name));
-  }
+  if (shard.count > 1) require_shareable(study);
   const std::string path = output.string();
   const bool has_result = path_exists(output);
   if (has_result) probe(path, [&] { results::read_completely(path); });

@@ -11,6 +11,9 @@
 
 namespace ridgeloc::app {
 
+/// Throws core::InputError if shares of the study cannot be computed apart.
+void require_shareable(const studies::Study& study);
+
 /// Why the blocks of a result with the header `found` do not belong to a study, "holds another study (seed is 1, not
 /// 2018)"; empty if they do.
 std::string difference_to(const studies::Study& study, const results::Header& found, const std::string& path);

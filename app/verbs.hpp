@@ -31,7 +31,12 @@ struct StudyOptions {
   std::string isa;                     ///< empty: what a stopped run has begun with, else the widest there is
 };
 
-int plan(const StudyOptions& options);
+struct PlanOptions {
+  StudyOptions study;
+  std::string slurm;                    ///< a job script to write; empty: none
+  std::optional<std::uint64_t> shares;  ///< of this job; absent: so many that each takes about an hour
+};
+int plan(const PlanOptions& options);
 
 struct RunOptions {
   StudyOptions study;

@@ -8,6 +8,8 @@
 
 namespace ridgeloc::studies {
 
+inline constexpr std::uint64_t max_shards = 1'000'000;
+
 /// Share number `number` of `count` equal ones, counted from 1.
 struct Shard {
   std::uint64_t number = 1;
