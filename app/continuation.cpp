@@ -11,8 +11,8 @@
 #include "app/output.hpp"
 #include "app/result_probe.hpp"
 #include "core/error.hpp"
+#include "results/parts_folder.hpp"
 #include "results/result_file.hpp"
-#include "results/result_writer.hpp"
 #include "studies/study_reader.hpp"
 #include "studies/union.hpp"
 

@@ -19,6 +19,7 @@
 #include "app/verbs.hpp"
 #include "core/error.hpp"
 #include "results/file_system.hpp"
+#include "results/parts_folder.hpp"
 #include "studies/runner.hpp"
 #include "studies/study_reader.hpp"
 
@@ -81,14 +82,10 @@ void print_surplus(const Job& job) {
   }
 }
 
-fs::path parts_of(const fs::path& output) {
-  return output.string() + ".parts";
-}
-
 /// Where finished blocks are: " in r.h5 and r.h5.parts".
 std::string kept_in(const fs::path& output) {
   std::vector<std::string> places;
-  for (const fs::path& path : {output, parts_of(output)})
+  for (const fs::path& path : {output, results::parts_folder(output)})
     if (path_exists(path)) places.push_back(path.string());
   return places.empty() ? "" : fmt::format(" in {}", fmt::join(places, " and "));
 }
@@ -104,7 +101,7 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
     outcome = studies::run_study(job.study, job.plan, job.assignment, job.output, threads, build_provenance(), progress,
                                  stop);
   } catch (const core::IoError& error) {
-    const fs::path parts = parts_of(job.output);
+    const fs::path parts = results::parts_folder(job.output);
     const std::string kept = path_exists(parts) ? fmt::format("finished parts are kept in {}; ", parts.string()) : "";
     throw core::IoError(fmt::format("{} ({}the same command goes on from there)", error.what(), kept));
   }

@@ -18,11 +18,6 @@
 
 namespace ridgeloc::results {
 
-/// What the files of a result say of themselves: the sealed one at `path`, if there is one, then the parts that a
-/// stopped run has left beside it. Damaged parts are passed over: the writer reports them. Throws core::InputError if
-/// the sealed one is damaged, and if anything is of a version of the format that this program does not know.
-std::vector<Header> headers_at(const std::filesystem::path& path);
-
 /// Collects the finished blocks of a study and makes its result file.
 ///
 /// Blocks go to immutable part files in `<path>.parts/` every few seconds or megabytes, so that memory stays
