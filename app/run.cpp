@@ -46,7 +46,7 @@ std::vector<Job> make_jobs(const RunOptions& options) {
   std::set<fs::path> outputs;
   for (const std::string& name : options.study.studies) {
     studies::Study study = studies::read_study(studies::find_study(name), options.study.overrides);
-    const fs::path output = output_path(options, study.name);
+    const fs::path output = link_target(output_path(options, study.name));
     if (!outputs.insert(output).second) {
       throw core::InputError(
           fmt::format("{}: two studies would write this result; run them apart with -o", output.string()));

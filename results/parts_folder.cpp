@@ -1,5 +1,7 @@
 #include "results/parts_folder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <system_error>
 
@@ -12,8 +14,19 @@ namespace ridgeloc::results {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr const char* part_prefix = "part-";
+constexpr const char* part_extension = ".h5";
+
+}  // namespace
+
 fs::path parts_folder(const fs::path& result) {
   return result.string() + ".parts";
+}
+
+std::string part_name(std::uint64_t number) {
+  return fmt::format("{}{:06}{}", part_prefix, number, part_extension);
 }
 
 PartsFolderContent content_of(const fs::path& folder) {
@@ -22,7 +35,8 @@ PartsFolderContent content_of(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
     if (TemporaryFile::is_temporary(entry.path())) {
       content.temporaries.push_back(entry.path());
-    } else if (entry.path().extension() == part_extension) {
+    } else if (entry.path().extension() == part_extension &&
+               entry.path().filename().string().starts_with(part_prefix)) {
       content.parts.push_back(entry.path());
     }
   }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "results/schema.hpp"
@@ -10,10 +12,11 @@ namespace ridgeloc::results {
 /// The folder in which a run collects the parts of a result: r.h5.parts for r.h5.
 std::filesystem::path parts_folder(const std::filesystem::path& result);
 
-inline constexpr const char* part_extension = ".h5";
+/// The name of a part in it, "part-000012.h5".
+std::string part_name(std::uint64_t number);
 
-/// Parts in such a folder, in order of their names, and temporaries that a killed program has left. Empty if there is
-/// no folder.
+/// Files in such a folder that are called like parts, in order of their names, and temporaries that a killed program
+/// has left. What else lies there is not the program's. Empty if there is no folder.
 struct PartsFolderContent {
   std::vector<std::filesystem::path> parts;
   std::vector<std::filesystem::path> temporaries;

@@ -206,7 +206,7 @@ void ResultWriter::write(const Part& part) {
 fs::path ResultWriter::next_part_path() {
   fs::path path;
   do {
-    path = folder_ / fmt::format("part-{:06}{}", next_part_++, part_extension);
+    path = folder_ / part_name(next_part_++);
   } while (fs::exists(path));
   return path;
 }

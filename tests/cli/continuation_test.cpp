@@ -58,6 +58,17 @@ TEST_CASE("a narrower study adds to a result what it lacks and loses nothing of 
   CHECK(folder.digest("s.h5") == folder.digest("fresh.h5"));
 }
 
+TEST_CASE("a result goes through a link to where the link points, and so do its parts") {
+  const WithStudy folder;
+  REQUIRE(folder.shell("mkdir disk && ln -s disk/r.h5 r.h5").exit_code == 0);
+  CHECK(folder.ridgeloc("run s.toml --trials 1e9 --time-limit 1s -o r.h5").exit_code == 4);
+  CHECK(folder.has("disk/r.h5.parts"));
+  CHECK(folder.ridgeloc("run s.toml --trials 100 -o r.h5").exit_code == 0);
+  CHECK(folder.ridgeloc("run s.toml --trials 5000 -o r.h5").exit_code == 0);
+  CHECK(folder.shell("test -L r.h5 && test -f disk/r.h5").exit_code == 0);
+  CHECK_FALSE(folder.has("r.h5.parts"));
+}
+
 TEST_CASE("a method whose settings have changed needs another name") {
   const WithStudy folder;
   REQUIRE(folder.ridgeloc("run s.toml").exit_code == 0);

@@ -165,6 +165,22 @@ TEST_CASE("a result that would lack computed blocks is not sealed") {
   CHECK(data_digest(path) == digest_of_plain_run(folder / "reference.h5"));
 }
 
+TEST_CASE("files in the folder of parts that are none of the program's stay as they are") {
+  const ScratchFolder folder;
+  const Header header = sample_header();
+  const fs::path path = folder / "result.h5";
+  fs::create_directory(parts_folder(path));
+  for (const char* name : {"mine.h5", "readme.txt"}) std::ofstream(parts_folder(path) / name) << "mine";
+  {
+    ResultWriter writer(path, header);
+    CHECK(writer.warnings().empty());
+    run_missing(writer, header, sample_tasks(header));
+    writer.seal({});
+  }
+  CHECK(fs::exists(parts_folder(path) / "mine.h5"));
+  CHECK(fs::exists(parts_folder(path) / "readme.txt"));
+}
+
 TEST_CASE("what a killed program left of its result is removed by the next run") {
   const ScratchFolder folder;
   const Header header = sample_header();
