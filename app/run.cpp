@@ -64,6 +64,12 @@ std::string count_text(std::uint64_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+/// Methods of [[method]] that were asked for: neither the scene's label nor differences.
+std::uint64_t asked_methods(const Job& job) {
+  return static_cast<std::uint64_t>(
+      std::ranges::count_if(job.assignment.methods, [&](std::size_t m) { return m < job.study.methods.size(); }));
+}
+
 /// What the result has beyond what was asked for; it stays.
 void print_surplus(const Job& job) {
   const results::Header& header = job.plan.header;
@@ -71,11 +77,7 @@ void print_surplus(const Job& job) {
     fmt::print(stderr, "{}: was asked for {} trials per cell before; all stay\n", job.output.string(), header.trials);
   }
   const std::uint64_t cells = header.cells.size() - job.assignment.cells.size();
-  std::uint64_t methods = 0;
-  for (std::size_t m = 0; m < header.methods.size(); ++m) {
-    const bool is_asked = std::ranges::binary_search(job.assignment.methods, m);
-    if (!is_asked && !header.methods[m].difference) ++methods;
-  }
+  const std::uint64_t methods = job.study.methods.size() - asked_methods(job);
   if (cells + methods > 0) {
     fmt::print(stderr, "{}: has {} and {} besides those asked for; they stay\n", job.output.string(),
                count_text(cells, "cell"), count_text(methods, "method"));
@@ -125,7 +127,7 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
                                    ? fmt::format("{} to {}", job.study.stop->min_trials, job.study.stop->max_trials)
                                    : std::to_string(job.assignment.trials);
     fmt::print(stderr, "{}: {}, {} trials each, {} on {} with {}{}: {}\n", job.study.name,
-               count_text(job.assignment.cells.size(), "cell"), trials, count_text(job.study.methods.size(), "method"),
+               count_text(job.assignment.cells.size(), "cell"), trials, count_text(asked_methods(job), "method"),
                count_text(static_cast<std::uint64_t>(threads), "thread"), job.plan.header.isa,
                shard.count == 1 ? "" : fmt::format(", share {} of {}", shard.number, shard.count),
                duration_text(seconds));

@@ -133,6 +133,13 @@ void refuse_to_replace_result(const fs::path& file) {
         fmt::format("{} is an HDF5 file and is not replaced; choose another -o or remove it", file.string()));
 }
 
+std::string temporary_name() {
+  std::error_code missing;
+  const fs::path folder = fs::temp_directory_path(missing);
+  if (missing) throw core::IoError("there is no folder for temporary files; set TMPDIR to a writable one");
+  return (folder / "ridgeloc-XXXXXX").string();
+}
+
 FolderLock::FolderLock(const fs::path& folder) {
   for (;;) {
     descriptor_ = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace ridgeloc::results {
 
@@ -49,6 +50,10 @@ class TemporaryFile {
   std::filesystem::path temporary_;
   bool published_ = false;
 };
+
+/// A name in the folder for temporary files that mkstemp and mkdtemp complete. Throws core::IoError where there is no
+/// such folder.
+std::string temporary_name();
 
 /// An advisory lock on a folder, held while the object lives and dropped by the system when the process dies.
 class FolderLock {

@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <system_error>
 
 #include "core/error.hpp"
+#include "results/file_system.hpp"
 #include "results/shell.hpp"
 
 namespace ridgeloc::results {
@@ -19,11 +19,11 @@ namespace {
 /// A script in the folder for temporary files, removed at the end.
 class ScriptFile {
  public:
-  explicit ScriptFile(const std::string& text) {
-    std::error_code missing;
-    path_ = (std::filesystem::temp_directory_path(missing) / "ridgeloc-XXXXXX").string();
-    const int descriptor = missing ? -1 : mkstemp(path_.data());
-    if (descriptor < 0) throw core::IoError("cannot write a script for gnuplot; set TMPDIR to a writable folder");
+  explicit ScriptFile(const std::string& text) : path_(temporary_name()) {
+    const int descriptor = mkstemp(path_.data());
+    if (descriptor < 0) {
+      throw core::IoError(fmt::format("cannot create '{}' for gnuplot; set TMPDIR to a writable folder", path_));
+    }
     std::FILE* file = fdopen(descriptor, "w");
     const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
     if ((std::fclose(file) != 0) || !written) {

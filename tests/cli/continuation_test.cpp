@@ -96,6 +96,21 @@ TEST_CASE("shares are merged to the whole; parts of it are results too") {
   CHECK(folder.digest("s.shard-1-of-3.h5") == folder.digest("s.h5"));
 }
 
+TEST_CASE("audit solves the trials that a result has, and no others") {
+  const WithStudy folder;
+  const auto trials = [&](const std::string& file) {
+    return folder.shell("'" RIDGELOC_PROGRAM "' audit " + file + " | awk '/^  (rrr|ols)/ { print $1, $2 }'").out;
+  };
+  // Blocks of 4096, 4096 and 808 trials, of two cells, dealt to three shares.
+  REQUIRE(folder.ridgeloc("run s.toml --shard 3/3 -o share.h5").exit_code == 0);
+  CHECK(trials("share.h5") == "rrr 808\nols 808\nrrr 808\nols 808\n");
+  folder.write("ols.toml", "experiment = \"ranging\"\n[sweep]\npoints = [3]\n[[method]]\nsolver = \"ols\"\n");
+  REQUIRE(folder.ridgeloc("run ols.toml --trials 9000 -o grown.h5").exit_code == 0);
+  REQUIRE(folder.ridgeloc("run s.toml --trials 100 -o grown.h5").exit_code == 0);
+  CHECK(trials("grown.h5") == "rrr 100\nols 9000\nrrr 100\nols 100\n");
+  CHECK(trials("grown.h5 --trials 5000") == "rrr 100\nols 5000\nrrr 100\nols 100\n");
+}
+
 TEST_CASE("merge refuses other studies, other instruction sets and a file that is there") {
   const WithStudy folder;
   REQUIRE(folder.ridgeloc("run s.toml -o a.h5 --trials 100 --isa baseline").exit_code == 0);

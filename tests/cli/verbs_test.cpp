@@ -180,7 +180,9 @@ TEST_CASE("plot draws all figures, or one, in the formats asked for") {
   CHECK(folder.ridgeloc("plot result.h5 --figure rat").exit_code == 2);
   CHECK(folder.ridgeloc("plot result.h5 --figure rate -o picture.jpg").exit_code == 2);
   CHECK(folder.ridgeloc("plot result.h5 -o nowhere/at/all").exit_code == 2);
-  CHECK(contains(folder.shell("TMPDIR=nowhere '" RIDGELOC_PROGRAM "' plot result.h5").error, "set TMPDIR to"));
+  for (const char* verb : {"plot", "report"})
+    CHECK(contains(folder.shell(std::string("TMPDIR=nowhere '" RIDGELOC_PROGRAM "' ") + verb + " result.h5").error,
+                   "set TMPDIR to"));
   CHECK_FALSE(folder.has("nowhere"));
   CHECK(folder.ridgeloc("plot result.h5 -o pictures --figure rate").out == "pictures/rate.svg\n");
 }
