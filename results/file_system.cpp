@@ -143,10 +143,6 @@ std::string temporary_name() {
 FolderLock::FolderLock(const fs::path& folder) {
   for (;;) {
     descriptor_ = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor_ < 0 && errno == ENOENT) {
-      make_folder(folder);  // another run has ended and removed it
-      continue;
-    }
     if (descriptor_ < 0)
       throw core::IoError(fmt::format("cannot open the folder {}: {}", folder.string(), reason(errno)));
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
