@@ -1,10 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 
 #include "app/exit_code.hpp"
 #include "app/recomputation.hpp"
+#include "app/result_probe.hpp"
 #include "app/verbs.hpp"
+#include "results/result_file.hpp"
 #include "results/text.hpp"
 #include "studies/failure_audit.hpp"
 
@@ -12,8 +16,9 @@ namespace ridgeloc::app {
 
 int audit(const AuditOptions& options) {
   const auto [header, study, plan] = recomputation_of(options.result);
-  const std::uint64_t trials = std::min(options.trials.value_or(study.trials), study.trials);
-  const auto counts = studies::audit_failures(study, plan, trials, options.threads);
+  const auto ledger = read_probed(options.result, [&] { return results::read_result_ledger(options.result); });
+  const std::uint64_t trials = options.trials.value_or(std::numeric_limits<std::uint64_t>::max());
+  const auto counts = studies::audit_failures(study, plan, ledger, trials, options.threads);
 
   std::size_t width = 6;
   for (const studies::Method& method : study.methods) width = std::max(width, method.label.size());

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "app/build_info.hpp"
+#include "app/duration.hpp"
 #include "app/exit_code.hpp"
 #include "app/options.hpp"
 #include "app/output.hpp"
@@ -42,11 +43,10 @@ studies::Shard shard_of(const std::string& text) {
   const auto number = std::from_chars(text.data(), end, shard.number);
   const bool slash = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
   const auto count = slash ? std::from_chars(number.ptr + 1, end, shard.count) : number;
-  constexpr std::uint64_t most = 1'000'000;
   const bool read = slash && count.ec == std::errc() && count.ptr == end;
-  if (!read || shard.number < 1 || shard.number > shard.count || shard.count > most) {
-    throw core::InputError(
-        fmt::format("--shard {}: write it as i/N with i from 1 to N and N up to {}, for example 2/7", text, most));
+  if (!read || shard.number < 1 || shard.number > shard.count || shard.count > studies::max_shards) {
+    throw core::InputError(fmt::format("--shard {}: write it as i/N with i from 1 to N and N up to {}, for example 2/7",
+                                       text, studies::max_shards));
   }
   return shard;
 }
@@ -76,9 +76,17 @@ class CommandLine {
     new_verb.add_option("EXPERIMENT", new_.experiment)->required()->check(CLI::IsMember(experiment_names()));
     new_verb.add_option("-o", new_.output, "file to write")->type_name("FILE");
 
-    add_study_options(
-        verb("plan", "cells, blocks, time and disk of a study, without running it", [this] { return plan(plan_); }),
-        plan_);
+    CLI::App& plan_verb =
+        verb("plan", "cells, blocks, time and disk of a study, without running it", [this] { return plan(plan_); });
+    add_study_options(plan_verb, plan_.study);
+    CLI::Option* slurm =
+        plan_verb.add_option("--slurm", plan_.slurm, "write a script that runs the study as a job array of Slurm")
+            ->type_name("FILE");
+    plan_verb
+        .add_option("--shards", plan_.shares, "tasks of this array (default: so many that each takes about an hour)")
+        ->check(CLI::Range(std::uint64_t{2}, studies::max_shards))
+        ->type_name("N")
+        ->needs(slurm);
 
     CLI::App& run_verb = verb("run", "run studies; goes on where a stopped run of the same study left off",
                               [this] { return run(run_); });
@@ -90,7 +98,9 @@ class CommandLine {
             "compute one of N shares only, i from 1 to N; merge puts them together")
         ->type_name("i/N");
     run_verb
-        .add_option("--time-limit", run_.time_limit, "stop after this time (90s, 10m, 1h30m, HH:MM:SS) and keep all")
+        .add_option_function<std::string>(
+            "--time-limit", [this](const std::string& text) { run_.time_limit_s = seconds_of(text); },
+            "stop after this time (90s, 10m, 1h30m, HH:MM:SS) and keep all")
         ->type_name("TIME");
 
     CLI::App& merge_verb = verb("merge", "put results of one study together: shards, or more trials, cells, methods",
@@ -109,12 +119,16 @@ class CommandLine {
     CLI::App& verify_verb =
         verb("verify", "check a result, and compute some of its blocks again", [this] { return verify(verify_); });
     verify_verb.add_option("RESULT", verify_.result, "result file")->required();
-    verify_verb.add_option("--blocks", verify_.blocks, "random blocks to compute again")
-        ->default_val(verify_.blocks)
-        ->check(CLI::Range(std::uint64_t{0}, studies::max_trials))
-        ->type_name("N");
-    verify_verb.add_option("--seed", verify_.seed, "chooses the blocks (default: others each time)")->type_name("N");
-    verify_verb.add_flag("--digest", verify_.digest, "only print the digest of the data");
+    CLI::Option* blocks = verify_verb.add_option("--blocks", verify_.blocks, "random blocks to compute again")
+                              ->default_val(verify_.blocks)
+                              ->check(CLI::Range(std::uint64_t{0}, studies::max_trials))
+                              ->type_name("N");
+    CLI::Option* seed =
+        verify_verb.add_option("--seed", verify_.seed, "chooses the blocks (default: others each time)")
+            ->type_name("N");
+    verify_verb.add_flag("--digest", verify_.digest, "only print the digest of the data")
+        ->excludes(blocks)
+        ->excludes(seed);
     add_threads(verify_verb, verify_.threads);
 
     CLI::App& summary_verb = verb("summary", "print a result as tables", [this] { return summary(summary_); });
@@ -198,7 +212,7 @@ class CommandLine {
   std::function<int()> action_;
   ListOptions list_;
   NewOptions new_;
-  StudyOptions plan_;
+  PlanOptions plan_;
   RunOptions run_;
   MergeOptions merge_;
   CompareOptions compare_;

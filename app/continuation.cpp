@@ -11,8 +11,8 @@
 #include "app/output.hpp"
 #include "app/result_probe.hpp"
 #include "core/error.hpp"
+#include "results/parts_folder.hpp"
 #include "results/result_file.hpp"
-#include "results/result_writer.hpp"
 #include "studies/study_reader.hpp"
 #include "studies/union.hpp"
 
@@ -26,6 +26,10 @@ constexpr std::size_t most_differences = 4;
 core::Isa isa_of(const std::string& asked, const std::vector<results::Header>& headers, const std::string& output) {
   if (headers.empty()) return instruction_set(asked);
   const std::string& begun = headers.front().isa;
+  if (begun == results::mixed_isa) {
+    throw core::InputError(fmt::format(
+        "{}: was merged from results of several instruction sets and cannot be continued; choose another -o", output));
+  }
   if (!asked.empty() && asked != begun) {
     throw core::InputError(fmt::format("{}: was computed with the instruction set {}; choose another -o or --isa {}",
                                        output, begun, begun));
@@ -40,20 +44,26 @@ core::Isa isa_of(const std::string& asked, const std::vector<results::Header>& h
 
 }  // namespace
 
-void require_same_study(const results::Header& found, const std::string& path, const studies::Study& study) {
+void require_shareable(const studies::Study& study) {
+  if (study.stop) {
+    throw core::InputError(
+        fmt::format("{}: a share cannot know when a cell has enough trials; remove [stop] from the study, or run it "
+                    "as a whole",
+                    study.name));
+  }
+}
+
+std::string difference_to(const studies::Study& study, const results::Header& found, const std::string& path) {
   if (found.experiment == study.experiment->name() && found.experiment_version != study.experiment->version()) {
-    throw core::InputError(fmt::format(
-        "{}: was computed by version {} of the experiment {}, this program has {}; choose another -o, or go "
-        "on with the program that began",
-        path, found.experiment_version, found.experiment, study.experiment->version()));
+    return fmt::format("was computed by version {} of the experiment {}, this program has {}", found.experiment_version,
+                       found.experiment, study.experiment->version());
   }
   std::vector<std::string> texts = studies::differences(study_of(found, path), study);
-  if (texts.empty()) return;
+  if (texts.empty()) return {};
   const std::size_t others = texts.size() - std::min(texts.size(), most_differences);
   texts.resize(std::min(texts.size(), most_differences));
   if (others > 0) texts.push_back(fmt::format("{} more", others));
-  throw core::InputError(
-      fmt::format("{}: holds another study ({}); choose another -o or remove it", path, fmt::join(texts, ", ")));
+  return fmt::format("holds another study ({})", fmt::join(texts, ", "));
 }
 
 studies::Study study_of(const results::Header& header, const std::string& path) {
@@ -62,12 +72,7 @@ studies::Study study_of(const results::Header& header, const std::string& path) 
 
 Job continued(studies::Study study, const std::filesystem::path& output, const std::string& isa,
               const studies::Shard& shard) {
-  if (study.stop && shard.count > 1) {
-    throw core::InputError(
-        fmt::format("{}: a share cannot know when a cell has enough trials; remove [stop] from the study, or run it "
-                    "without --shard",
-                    study.name));
-  }
+  if (shard.count > 1) require_shareable(study);
   const std::string path = output.string();
   const bool has_result = path_exists(output);
   if (has_result) probe(path, [&] { results::read_completely(path); });
@@ -78,7 +83,9 @@ Job continued(studies::Study study, const std::filesystem::path& output, const s
   std::set<std::string> seen;
   for (std::size_t i = 0; i < headers.size(); ++i) {
     if (!seen.insert(headers[i].study_toml).second) continue;
-    require_same_study(headers[i], path, study);
+    const std::string difference = difference_to(study, headers[i], path);
+    if (!difference.empty())
+      throw core::InputError(fmt::format("{}: {}; choose another -o or remove it", path, difference));
     studies::Study found = study_of(headers[i], path);
     // What a stopped run has not reached is nothing to keep.
     const bool is_part = i > 0 || !has_result;

@@ -11,9 +11,12 @@
 
 namespace ridgeloc::app {
 
-/// Throws core::InputError, which names what differs, unless the blocks of a result with the header `found` belong to
-/// the study.
-void require_same_study(const results::Header& found, const std::string& path, const studies::Study& study);
+/// Throws core::InputError if shares of the study cannot be computed apart.
+void require_shareable(const studies::Study& study);
+
+/// Why the blocks of a result with the header `found` do not belong to a study, "holds another study (seed is 1, not
+/// 2018)"; empty if they do.
+std::string difference_to(const studies::Study& study, const results::Header& found, const std::string& path);
 
 /// The study that a result says it is. Throws core::InputError if this program cannot read it.
 studies::Study study_of(const results::Header& header, const std::string& path);

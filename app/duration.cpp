@@ -47,7 +47,10 @@ double seconds_with_colons(const std::string& text) {
 
 double seconds_of(const std::string& text) {
   constexpr double longest = 1e9;
-  const double seconds = std::max(seconds_with_units(text), seconds_with_colons(text));
+  // Regular expressions of the standard library recurse for each character of what they match.
+  constexpr std::size_t most_characters = 40;
+  const bool is_short = text.size() <= most_characters;
+  const double seconds = is_short ? std::max(seconds_with_units(text), seconds_with_colons(text)) : 0.0;
   if (!(seconds > 0.0 && seconds <= longest)) {
     throw core::InputError(
         fmt::format("\"{}\" is not a time; write it as 90s, 10m, 1h30m or HH:MM:SS, above zero", text));

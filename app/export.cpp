@@ -13,6 +13,7 @@
 #include "results/csv.hpp"
 #include "results/latex.hpp"
 #include "results/result_file.hpp"
+#include "results/shell.hpp"
 #include "studies/value.hpp"
 
 namespace ridgeloc::app {
@@ -40,7 +41,7 @@ void export_latex(const ExportOptions& options) {
     return std::pair(results::read_result(options.result), results::data_digest(options.result));
   });
   const auto quantities = chosen_quantities(summary.header, options);
-  std::string command = fmt::format("ridgeloc export {} --latex", options.result);
+  std::string command = "ridgeloc export " + results::shell_word(options.result) + " --latex";
   for (const std::string& name : options.metrics) command += " --metric " + name;
   const std::string text = results::latex_tables(summary, quantities, {digest, command});
   write_output(options.output, [&](std::ostream& out) { out << text; });

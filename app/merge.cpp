@@ -15,6 +15,7 @@
 #include "app/verbs.hpp"
 #include "core/error.hpp"
 #include "results/completeness.hpp"
+#include "results/file_system.hpp"
 #include "results/result_file.hpp"
 #include "results/result_merge.hpp"
 #include "studies/plan.hpp"
@@ -63,12 +64,16 @@ std::string common_isa(const std::vector<Input>& inputs, bool mix) {
 }  // namespace
 
 int merge(const MergeOptions& options) {
+  results::require_new(options.output);
   const std::vector<Input> inputs = read_inputs(options.results);
   std::optional<studies::Study> all;
   for (const Input& input : inputs) {
     studies::Study study = study_of(input.header, input.path);
     if (all) {
-      require_same_study(input.header, input.path, *all);
+      const std::string difference = difference_to(*all, input.header, input.path);
+      if (!difference.empty())
+        throw core::InputError(
+            fmt::format("{}: {} and cannot be merged with {}", input.path, difference, inputs.front().path));
       all = studies::united(std::move(*all), study);
     } else {
       all = std::move(study);

@@ -113,7 +113,8 @@ void add_export_options(CLI::App& verb, ExportOptions& options) {
   CLI::Option* trials = verb.add_flag("--trials", options.trials, "a row per kept trial instead");
   CLI::Option* failures =
       verb.add_flag("--failures", options.failures, "a row per failed trial that is listed instead");
-  CLI::Option* study = verb.add_flag("--study", options.study, "the complete study instead, as a file to run");
+  CLI::Option* study =
+      verb.add_flag("--study", options.study, "the complete study instead, as a file to run")->excludes(csv);
   CLI::Option* latex = verb.add_flag("--latex", options.latex, "tables for LaTeX (booktabs): cells by methods")
                            ->excludes(csv)
                            ->excludes(trials)

@@ -14,13 +14,22 @@ namespace ridgeloc::app {
 
 namespace fs = std::filesystem;
 
+fs::path link_target(const fs::path& path) {
+  constexpr int most_links = 40;  // the system's own limit
+  fs::path target = path;
+  std::error_code unknown;
+  for (int i = 0; i < most_links && fs::is_symlink(target, unknown); ++i)
+    target = target.parent_path() / fs::read_symlink(target, unknown);
+  return target;
+}
+
 void write_output(const std::string& path, const std::function<void(std::ostream&)>& write) {
   if (path.empty()) {
     write(std::cout);
     return;
   }
   std::error_code unknown;
-  const fs::path target = fs::is_symlink(path, unknown) ? fs::weakly_canonical(path, unknown) : fs::path(path);
+  const fs::path target = link_target(path);
   const auto fill = [&](const fs::path& file) {
     std::ofstream out(file, std::ios::binary);
     write(out);

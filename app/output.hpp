@@ -7,6 +7,10 @@
 
 namespace ridgeloc::app {
 
+/// What a link stands for, which may not be there yet; any other path as it is. A file that is written under another
+/// name and renamed would otherwise take the place of the link.
+std::filesystem::path link_target(const std::filesystem::path& path);
+
 /// Writes text to standard output, or, where a path is given, to a file that appears complete or not at all (a device
 /// or a pipe is written to as it is). Throws core::InputError if the file cannot be written there, core::IoError if
 /// writing fails.

@@ -1,13 +1,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
 #include <vector>
 
+#include "app/continuation.hpp"
 #include "app/duration.hpp"
 #include "app/exit_code.hpp"
 #include "app/instruction_set.hpp"
+#include "app/output.hpp"
+#include "app/slurm.hpp"
 #include "app/verbs.hpp"
+#include "core/error.hpp"
 #include "core/units.hpp"
+#include "results/shell.hpp"
 #include "studies/audit.hpp"
 #include "studies/pilot.hpp"
 #include "studies/study_reader.hpp"
@@ -18,7 +26,11 @@ namespace {
 
 constexpr double pilot_budget_s = 2.0;
 
-void print_plan(const studies::Study& study, core::Isa isa, int threads) {
+constexpr double share_s = 3600.0;
+constexpr double most_shares = 1000.0;  // Slurm's arrays end there unless its configuration says otherwise
+
+/// Prints it and returns the seconds that the study is expected to take.
+double print_plan(const studies::Study& study, core::Isa isa, int threads) {
   const studies::Plan plan = studies::make_plan(study, isa);
   const auto cells = static_cast<double>(plan.cells.size());
   const studies::Pilot pilot = studies::run_pilot(study, plan, pilot_budget_s);
@@ -51,23 +63,45 @@ void print_plan(const studies::Study& study, core::Isa isa, int threads) {
   fmt::print("  blocks   {} of {} trials\n", blocks, block);
   fmt::print("  pilot    {:.3g} us per trial and thread, all methods, with {} ({} trials)\n",
              pilot.seconds_per_trial * 1e6, plan.header.isa, pilot.trials);
-  const double seconds = pilot.seconds_per_trial * trials + pilot.seconds_per_cell * cells;
-  fmt::print("  time     about {} on {} thread{}\n", duration_text(seconds / threads), threads,
-             threads == 1 ? "" : "s");
+  const double seconds = (pilot.seconds_per_trial * trials + pilot.seconds_per_cell * cells) / threads;
+  fmt::print("  time     about {} on {} thread{}\n", duration_text(seconds), threads, threads == 1 ? "" : "s");
   if (study.audit > 0.0) {
     fmt::print("  audit    by Ceres: the first {} trials of each cell and {:g} of the others\n",
                studies::always_audited, study.audit);
   }
   fmt::print("  disk     at most {:.1f} MiB of per-trial columns ({:.0f} trials kept) besides the summaries\n",
              columns_mib, kept);
+  return seconds;
+}
+
+void write_slurm(const PlanOptions& options, const studies::Study& study, core::Isa isa, double seconds) {
+  const auto shares =
+      options.shares.value_or(static_cast<std::uint64_t>(std::clamp(std::ceil(seconds / share_s), 2.0, most_shares)));
+  const SlurmJob job{options.study.studies.front(),
+                     study.name,
+                     options.study.overrides,
+                     std::string(core::name_of(isa)),
+                     options.study.threads,
+                     shares,
+                     seconds / static_cast<double>(shares),
+                     options.slurm};
+  write_output(options.slurm, [&](std::ostream& out) { out << slurm_script(job); });
+  fmt::print("  slurm    {} shares; sbatch {}, and when all are there: {}\n", shares,
+             results::shell_word(options.slurm), merge_command(job));
 }
 
 }  // namespace
 
-int plan(const StudyOptions& options) {
-  const core::Isa isa = instruction_set(options.isa);
-  for (const std::string& name : options.studies) {
-    print_plan(studies::read_study(studies::find_study(name), options.overrides), isa, options.threads);
+int plan(const PlanOptions& options) {
+  const core::Isa isa = instruction_set(options.study.isa);
+  const bool slurm = !options.slurm.empty();
+  if (slurm && options.study.studies.size() > 1)
+    throw core::InputError("--slurm: a job script is for one study; plan them one at a time");
+  for (const std::string& name : options.study.studies) {
+    const studies::Study study = studies::read_study(studies::find_study(name), options.study.overrides);
+    if (slurm) require_shareable(study);
+    const double seconds = print_plan(study, isa, options.study.threads);
+    if (slurm) write_slurm(options, study, isa, seconds);
   }
   return Success;
 }

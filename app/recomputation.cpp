@@ -14,6 +14,11 @@ namespace ridgeloc::app {
 
 Recomputation recomputation_of(const std::string& result) {
   results::Header header = read_probed(result, [&] { return results::read_result_header(result); });
+  if (header.isa == results::mixed_isa) {
+    throw core::InputError(fmt::format(
+        "{}: was merged from results of several instruction sets, so that its trials cannot be computed again",
+        result));
+  }
   const auto isa = core::find_isa(header.isa);
   if (!isa || !core::is_supported(*isa)) {
     throw core::InputError(

@@ -4,9 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <fstream>
 #include <utility>
 
 #include "app/exit_code.hpp"
@@ -14,6 +12,7 @@
 #include "app/recomputation.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
+#include "results/file_system.hpp"
 #include "results/json.hpp"
 #include "results/text.hpp"
 #include "studies/cell_choice.hpp"
@@ -25,10 +24,7 @@ namespace {
 
 /// Whether a file is a result, or is called like one.
 bool is_result(const std::string& path) {
-  constexpr std::array<char, 4> hdf5 = {'\x89', 'H', 'D', 'F'};
-  std::array<char, 4> begin{};
-  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
-  return begin == hdf5 || std::filesystem::path(path).extension() == ".h5";
+  return results::begins_as_hdf5(path) || std::filesystem::path(path).extension() == ".h5";
 }
 
 /// What the result holds, or what the study would compute on this processor.

@@ -1,9 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "app/verbs.hpp"
 #include "core/error.hpp"
 #include "results/file_system.hpp"
+#include "results/parts_folder.hpp"
 #include "studies/runner.hpp"
 #include "studies/study_reader.hpp"
 
@@ -44,7 +46,7 @@ std::vector<Job> make_jobs(const RunOptions& options) {
   std::set<fs::path> outputs;
   for (const std::string& name : options.study.studies) {
     studies::Study study = studies::read_study(studies::find_study(name), options.study.overrides);
-    const fs::path output = output_path(options, study.name);
+    const fs::path output = link_target(output_path(options, study.name));
     if (!outputs.insert(output).second) {
       throw core::InputError(
           fmt::format("{}: two studies would write this result; run them apart with -o", output.string()));
@@ -62,6 +64,12 @@ std::string count_text(std::uint64_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+/// Methods of [[method]] that were asked for: neither the scene's label nor differences.
+std::uint64_t asked_methods(const Job& job) {
+  return static_cast<std::uint64_t>(
+      std::ranges::count_if(job.assignment.methods, [&](std::size_t m) { return m < job.study.methods.size(); }));
+}
+
 /// What the result has beyond what was asked for; it stays.
 void print_surplus(const Job& job) {
   const results::Header& header = job.plan.header;
@@ -69,15 +77,19 @@ void print_surplus(const Job& job) {
     fmt::print(stderr, "{}: was asked for {} trials per cell before; all stay\n", job.output.string(), header.trials);
   }
   const std::uint64_t cells = header.cells.size() - job.assignment.cells.size();
-  std::uint64_t methods = 0;
-  for (std::size_t m = 0; m < header.methods.size(); ++m) {
-    const bool is_asked = std::ranges::binary_search(job.assignment.methods, m);
-    if (!is_asked && !header.methods[m].difference) ++methods;
-  }
+  const std::uint64_t methods = job.study.methods.size() - asked_methods(job);
   if (cells + methods > 0) {
     fmt::print(stderr, "{}: has {} and {} besides those asked for; they stay\n", job.output.string(),
                count_text(cells, "cell"), count_text(methods, "method"));
   }
+}
+
+/// Where finished blocks are: " in r.h5 and r.h5.parts".
+std::string kept_in(const fs::path& output) {
+  std::vector<std::string> places;
+  for (const fs::path& path : {output, results::parts_folder(output)})
+    if (path_exists(path)) places.push_back(path.string());
+  return places.empty() ? "" : fmt::format(" in {}", fmt::join(places, " and "));
 }
 
 /// Runs one study; returns false when it was stopped before the end.
@@ -91,15 +103,15 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
     outcome = studies::run_study(job.study, job.plan, job.assignment, job.output, threads, build_provenance(), progress,
                                  stop);
   } catch (const core::IoError& error) {
-    const std::string parts = job.output.string() + ".parts";
-    const std::string kept = path_exists(parts) ? fmt::format("finished parts are kept in {}; ", parts) : "";
+    const fs::path parts = results::parts_folder(job.output);
+    const std::string kept = path_exists(parts) ? fmt::format("finished parts are kept in {}; ", parts.string()) : "";
     throw core::IoError(fmt::format("{} ({}the same command goes on from there)", error.what(), kept));
   }
   for (const std::string& warning : outcome.warnings) fmt::print(stderr, "warning: {}\n", warning);
   const std::uint64_t blocks = progress.blocks_total;
   if (!outcome.sealed) {
-    fmt::print(stderr, "{}: stopped; {} of {} blocks are kept in {}.parts. The same command goes on from there.\n",
-               job.study.name, outcome.blocks_found + outcome.blocks_run, blocks, job.output.string());
+    fmt::print(stderr, "{}: stopped; {} of {} blocks are kept{}. The same command goes on from there.\n",
+               job.study.name, outcome.blocks_kept, blocks, kept_in(job.output));
     return false;
   }
   if (outcome.unchanged) {
@@ -115,7 +127,7 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
                                    ? fmt::format("{} to {}", job.study.stop->min_trials, job.study.stop->max_trials)
                                    : std::to_string(job.assignment.trials);
     fmt::print(stderr, "{}: {}, {} trials each, {} on {} with {}{}: {}\n", job.study.name,
-               count_text(job.assignment.cells.size(), "cell"), trials, count_text(job.study.methods.size(), "method"),
+               count_text(job.assignment.cells.size(), "cell"), trials, count_text(asked_methods(job), "method"),
                count_text(static_cast<std::uint64_t>(threads), "thread"), job.plan.header.isa,
                shard.count == 1 ? "" : fmt::format(", share {} of {}", shard.number, shard.count),
                duration_text(seconds));
@@ -130,7 +142,8 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
 int run(const RunOptions& options) {
   const std::vector<Job> jobs = make_jobs(options);
   const std::atomic<bool>& stop = stop_on_signals();
-  const auto limit = options.time_limit.empty() ? nullptr : std::make_unique<TimeLimit>(seconds_of(options.time_limit));
+  std::optional<TimeLimit> limit;
+  if (options.time_limit_s) limit.emplace(*options.time_limit_s);
   for (const Job& job : jobs) {
     if (!run_job(job, options.study.threads, stop)) return Stopped;
   }

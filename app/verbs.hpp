@@ -31,13 +31,18 @@ struct StudyOptions {
   std::string isa;                     ///< empty: what a stopped run has begun with, else the widest there is
 };
 
-int plan(const StudyOptions& options);
+struct PlanOptions {
+  StudyOptions study;
+  std::string slurm;                    ///< a job script to write; empty: none
+  std::optional<std::uint64_t> shares;  ///< of this job; absent: so many that each takes about an hour
+};
+int plan(const PlanOptions& options);
 
 struct RunOptions {
   StudyOptions study;
   std::string output;  ///< a file, or a folder for several studies; empty: NAME.h5 here
   studies::Shard shard;
-  std::string time_limit;  ///< as `seconds_of` reads it; empty: none
+  std::optional<double> time_limit_s;  ///< absent: none
 };
 int run(const RunOptions& options);
 

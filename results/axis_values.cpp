@@ -13,28 +13,6 @@
 namespace ridgeloc::results {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
-/// The pieces between commas that do not stand in brackets.
-std::vector<std::string_view> pieces_of(std::string_view text) {
-  std::vector<std::string_view> pieces;
-  int depth = 0;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '[') ++depth;
-    if (text[i] == ']') --depth;
-    if (text[i] != ',' || depth > 0) continue;
-    pieces.push_back(trimmed(text.substr(begin, i - begin)));
-    begin = i + 1;
-  }
-  pieces.push_back(trimmed(text.substr(begin)));
-  return pieces;
-}
-
 std::optional<double> number_in(std::string_view text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -48,7 +26,7 @@ bool is_interval(std::string_view text) {
 
 bool mean_the_same(std::string_view a, std::string_view b) {
   if (is_interval(a) && is_interval(b)) {
-    return std::ranges::equal(pieces_of(a.substr(1, a.size() - 2)), pieces_of(b.substr(1, b.size() - 2)),
+    return std::ranges::equal(list_items(a.substr(1, a.size() - 2)), list_items(b.substr(1, b.size() - 2)),
                               mean_the_same);
   }
   const auto number = number_in(a);
@@ -57,10 +35,31 @@ bool mean_the_same(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+std::vector<std::string_view> list_items(std::string_view text) {
+  std::vector<std::string_view> items;
+  int depth = 0;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '[') ++depth;
+    if (text[i] == ']') --depth;
+    if (text[i] != ',' || depth > 0) continue;
+    items.push_back(trimmed(text.substr(begin, i - begin)));
+    begin = i + 1;
+  }
+  items.push_back(trimmed(text.substr(begin)));
+  return items;
+}
+
 void add_axis_values(AxisValues& chosen, std::string_view text) {
   const std::size_t equals = std::min(text.find('='), text.size());
   const std::string_view axis = trimmed(text.substr(0, equals));
-  const auto values = pieces_of(text.substr(std::min(equals + 1, text.size())));
+  const auto values = list_items(text.substr(std::min(equals + 1, text.size())));
   if (axis.empty() || std::ranges::find(values, "") != values.end()) {
     throw core::InputError(
         fmt::format("where \"{}\": write it as AXIS=VALUE,..., for example range_sigma_m=0.1,0.3", text));

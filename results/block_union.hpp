@@ -19,7 +19,7 @@ class BlockUnion {
  public:
   explicit BlockUnion(const Header& header);
 
-  /// Throws core::IoError if a block is known with as many trials and other numbers; it names both files.
+  /// Throws core::IoError if a block is known with as many trials and other numbers; it names the file and the block.
   void add(BlockSource source);
 
   const Ledger& ledger() const { return ledger_; }

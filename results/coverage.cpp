@@ -44,6 +44,14 @@ std::uint64_t Coverage::end() const {
   return std::max(whole, shorter);
 }
 
+std::uint64_t Coverage::count(std::uint64_t trials, std::uint64_t block_trials) const {
+  const std::uint64_t whole_blocks = trials / block_trials;
+  const std::uint64_t rest = trials % block_trials;
+  std::uint64_t sum = rest > 0 && contains(whole_blocks, rest) ? 1 : 0;
+  for (const auto& [first, end] : whole_) sum += std::min(end, whole_blocks) - std::min(first, whole_blocks);
+  return sum;
+}
+
 std::uint64_t Coverage::trials(std::uint64_t block_trials) const {
   std::uint64_t sum = 0;
   for (const auto& [first, end] : whole_) sum += (end - first) * block_trials;

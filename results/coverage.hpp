@@ -19,6 +19,9 @@ class Coverage {
   /// One past the last block.
   std::uint64_t end() const;
 
+  /// How many of the blocks that `trials` trials make are there, the last one with what is left for it.
+  std::uint64_t count(std::uint64_t trials, std::uint64_t block_trials) const;
+
   /// Trials of all blocks.
   std::uint64_t trials(std::uint64_t block_trials) const;
 

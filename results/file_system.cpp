@@ -69,6 +69,13 @@ void require_writable(const fs::path& file) {
   ::unlink(probe.c_str());
 }
 
+void require_new(const fs::path& file) {
+  require_writable(file);
+  std::error_code unknown;
+  if (fs::exists(file, unknown))
+    throw core::InputError(fmt::format("{} exists; choose another -o or remove it", file.string()));
+}
+
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directory(folder, error);
@@ -112,14 +119,25 @@ void TemporaryFile::remove_leftovers(const fs::path& final_path) {
   }
 }
 
-void refuse_to_replace_result(const fs::path& file) {
+bool begins_as_hdf5(const fs::path& file) {
   constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
   std::array<char, signature.size()> beginning{};
   std::ifstream in(file, std::ios::binary);
   in.read(beginning.data(), beginning.size());
-  if (in && std::string_view(beginning.data(), beginning.size()) == signature)
+  return in && std::string_view(beginning.data(), beginning.size()) == signature;
+}
+
+void refuse_to_replace_result(const fs::path& file) {
+  if (begins_as_hdf5(file))
     throw core::InputError(
         fmt::format("{} is an HDF5 file and is not replaced; choose another -o or remove it", file.string()));
+}
+
+std::string temporary_name() {
+  std::error_code missing;
+  const fs::path folder = fs::temp_directory_path(missing);
+  if (missing) throw core::IoError("there is no folder for temporary files; set TMPDIR to a writable one");
+  return (folder / "ridgeloc-XXXXXX").string();
 }
 
 FolderLock::FolderLock(const fs::path& folder) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace ridgeloc::results {
 
@@ -8,9 +9,15 @@ namespace ridgeloc::results {
 /// Throws core::InputError that says why not and what to do.
 void require_writable(const std::filesystem::path& file);
 
+/// The same, and that there is no such file yet.
+void require_new(const std::filesystem::path& file);
+
 /// Makes a folder, unless it is there, and its name durable: what files in it are worth depends on that.
 /// Throws core::InputError.
 void make_folder(const std::filesystem::path& folder);
+
+/// Whether a file begins as HDF5 files do; false for a missing one.
+bool begins_as_hdf5(const std::filesystem::path& file);
 
 /// Throws core::InputError if a file of this name is HDF5: a result is hours of work, and a table or a picture is not
 /// to replace it.
@@ -43,6 +50,10 @@ class TemporaryFile {
   std::filesystem::path temporary_;
   bool published_ = false;
 };
+
+/// A name in the folder for temporary files that mkstemp and mkdtemp complete. Throws core::IoError where there is no
+/// such folder.
+std::string temporary_name();
 
 /// An advisory lock on a folder, held while the object lives and dropped by the system when the process dies.
 class FolderLock {

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
+#include "results/file_system.hpp"
 #include "results/shell.hpp"
 
 namespace ridgeloc::results {
@@ -18,8 +19,7 @@ namespace {
 /// A script in the folder for temporary files, removed at the end.
 class ScriptFile {
  public:
-  explicit ScriptFile(const std::string& text)
-      : path_((std::filesystem::temp_directory_path() / "ridgeloc-XXXXXX").string()) {
+  explicit ScriptFile(const std::string& text) : path_(temporary_name()) {
     const int descriptor = mkstemp(path_.data());
     if (descriptor < 0) {
       throw core::IoError(fmt::format("cannot create '{}' for gnuplot; set TMPDIR to a writable folder", path_));

@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "results/figure.hpp"
 #include "results/figure_data.hpp"
+#include "results/file_system.hpp"
 #include "results/html.hpp"
 #include "results/report_part.hpp"
 #include "results/shell.hpp"
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "ridgeloc-XXXXXX").string();
+    std::string name = temporary_name();
     if (mkdtemp(name.data()) == nullptr)
       throw core::IoError(fmt::format("cannot create '{}' for figures; set TMPDIR to a writable folder", name));
     path_ = name;

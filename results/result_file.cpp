@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "core/error.hpp"
@@ -173,8 +174,12 @@ Provenance read_provenance(const fs::path& path) {
     provenance.processor = file.text_attribute(group, "processor");
     provenance.threads = static_cast<unsigned>(file.number_attribute(group, "threads"));
     provenance.date = file.text_attribute(group, "date");
-    if (file.has_attribute(group, "contributions"))  // since version 1.2
-      provenance.contributions = file.texts_attribute(group, "contributions");
+    if (file.has_attribute(group, "contributions")) {  // since version 1.2, there as a list
+      for (const std::string& text : file.texts_attribute(group, "contributions")) {
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) provenance.contributions.push_back(line);
+      }
+    }
     for (const std::string& name : file.attribute_names(group + "/libraries"))
       provenance.libraries.emplace_back(name, file.text_attribute(group + "/libraries", name));
     for (const std::string& phase : file.attribute_names(group + "/wall_time_s"))

@@ -1,10 +1,5 @@
 #include "results/result_merge.hpp"
 
-#include <fmt/format.h>
-
-#include <system_error>
-
-#include "core/error.hpp"
 #include "results/block_union.hpp"
 #include "results/file_system.hpp"
 #include "results/result_seal.hpp"
@@ -13,10 +8,7 @@ namespace ridgeloc::results {
 
 void merge_results(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& output,
                    const Header& header, const Provenance& provenance) {
-  require_writable(output);
-  std::error_code unknown;
-  if (std::filesystem::exists(output, unknown))
-    throw core::InputError(fmt::format("{} exists; choose another -o or remove it", output.string()));
+  require_new(output);
   BlockUnion blocks(header);
   for (const std::filesystem::path& input : inputs) blocks.add(read_result_blocks(input, header));
   write_result(output, header, blocks, provenance);

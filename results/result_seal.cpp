@@ -1,6 +1,7 @@
 #include "results/result_seal.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -32,7 +33,8 @@ void write_provenance(hdf5::File& file, const Header& header, const Provenance& 
   file.write_attribute(group, "processor", provenance.processor);
   file.write_attribute(group, "threads", std::uint64_t{provenance.threads});
   file.write_attribute(group, "date", provenance.date);
-  file.write_attribute(group, "contributions", provenance.contributions);
+  // As one text: HDF5 allows a list in an attribute some 4000 entries, and more shares than that may be merged.
+  file.write_attribute(group, "contributions", fmt::format("{}", fmt::join(provenance.contributions, "\n")));
   file.create_group(group + "/libraries");
   for (const auto& [name, version] : provenance.libraries) file.write_attribute(group + "/libraries", name, version);
   file.create_group(group + "/wall_time_s");

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "results/block_union.hpp"
+#include "results/parts_folder.hpp"
 #include "results/result_file.hpp"
 #include "results/result_seal.hpp"
 
@@ -24,35 +25,9 @@ constexpr std::size_t part_bytes = std::size_t{32} << 20;
 /// into parts and nothing else.
 constexpr std::chrono::seconds part_age{5};
 
-constexpr const char* part_extension = ".h5";
-
 /// When so many parts are small, they become one, so that a run of days does not leave a file for every few seconds.
 constexpr std::size_t most_small_parts = 64;
 constexpr std::uintmax_t small_part_bytes = std::uintmax_t{1} << 20;
-
-/// Parts in a folder, in order of their names, and temporaries that a killed program has left.
-struct FolderContent {
-  std::vector<fs::path> parts;
-  std::vector<fs::path> temporaries;
-};
-
-FolderContent content_of(const fs::path& folder) {
-  FolderContent content;
-  std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
-    if (TemporaryFile::is_temporary(entry.path())) {
-      content.temporaries.push_back(entry.path());
-    } else if (entry.path().extension() == part_extension) {
-      content.parts.push_back(entry.path());
-    }
-  }
-  std::ranges::sort(content.parts);
-  return content;
-}
-
-fs::path parts_folder(const fs::path& path) {
-  return path.string() + ".parts";
-}
 
 bool is_there(const fs::path& path) {
   std::error_code unknown;
@@ -60,19 +35,6 @@ bool is_there(const fs::path& path) {
 }
 
 }  // namespace
-
-std::vector<Header> headers_at(const fs::path& path) {
-  std::vector<Header> headers;
-  if (is_there(path)) headers.push_back(read_result_header(path));
-  for (const fs::path& part : content_of(parts_folder(path)).parts) {
-    try {
-      headers.push_back(read_part_header(part));
-    } catch (const core::IoError&) {
-      continue;
-    }
-  }
-  return headers;
-}
 
 ResultWriter::ResultWriter(fs::path path, Header header, Totals totals)
     : path_(std::move(path)),
@@ -118,7 +80,7 @@ void ResultWriter::adopt_result() {
 }
 
 void ResultWriter::adopt_parts() {
-  const FolderContent content = content_of(folder_);
+  const PartsFolderContent content = content_of(folder_);
   std::error_code ignored;
   for (const fs::path& temporary : content.temporaries) fs::remove(temporary, ignored);
   for (const fs::path& part : content.parts) {
@@ -162,6 +124,17 @@ std::vector<std::size_t> ResultWriter::missing_methods(std::size_t cell, std::ui
       missing.push_back(method);
   }
   return missing;
+}
+
+std::uint64_t ResultWriter::blocks_there(std::size_t cell, std::uint64_t trials,
+                                         const std::vector<std::size_t>& methods) const {
+  std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
+  const std::lock_guard lock(state_mutex_);
+  for (const std::size_t method : methods) {
+    const Coverage& blocks = present_.at(cell * header_.methods.size() + method).blocks;
+    fewest = std::min(fewest, blocks.count(trials, header_.block_trials));
+  }
+  return fewest;
 }
 
 ResultWriter::Extent ResultWriter::extent(std::size_t cell, const std::vector<std::size_t>& methods) const {
@@ -233,7 +206,7 @@ void ResultWriter::write(const Part& part) {
 fs::path ResultWriter::next_part_path() {
   fs::path path;
   do {
-    path = folder_ / fmt::format("part-{:06}{}", next_part_++, part_extension);
+    path = folder_ / part_name(next_part_++);
   } while (fs::exists(path));
   return path;
 }
@@ -275,6 +248,9 @@ void ResultWriter::require_complete(const Ledger& ledger) const {
 void ResultWriter::seal(const Provenance& provenance) {
   flush();
   const std::lock_guard lock(parts_mutex_);
+  // A merge does not hold the lock, and what it has written here would be lost.
+  if (!has_result_ && is_there(path_))
+    throw core::IoError(fmt::format("{} has appeared while the study ran, and is not replaced", path_.string()));
   BlockUnion blocks(header_);
   if (has_result_) blocks.add(read_result_blocks(path_, header_));
   for (const fs::path& part : parts_) blocks.add(read_part_blocks(part, header_));

@@ -18,11 +18,6 @@
 
 namespace ridgeloc::results {
 
-/// What the files of a result say of themselves: the sealed one at `path`, if there is one, then the parts that a
-/// stopped run has left beside it. Damaged parts are passed over: the writer reports them. Throws core::InputError if
-/// the sealed one is damaged, and if anything is of a version of the format that this program does not know.
-std::vector<Header> headers_at(const std::filesystem::path& path);
-
 /// Collects the finished blocks of a study and makes its result file.
 ///
 /// Blocks go to immutable part files in `<path>.parts/` every few seconds or megabytes, so that memory stays
@@ -30,7 +25,7 @@ std::vector<Header> headers_at(const std::filesystem::path& path);
 /// The data of the result do not depend on the order of blocks, on how they fell into parts, or on interruptions. If
 /// anything fails, the finished parts stay and the same study goes on from there.
 ///
-/// `missing_methods`, `extent`, `statistics`, `add` and `flush` may be called from any thread.
+/// `missing_methods`, `blocks_there`, `extent`, `statistics`, `add` and `flush` may be called from any thread.
 class ResultWriter {
  public:
   /// Checks that `path` can be written, and takes over what it holds and what a stopped run has left. All of that must
@@ -52,6 +47,9 @@ class ResultWriter {
   /// trials where the study keeps them.
   std::vector<std::size_t> missing_methods(std::size_t cell, std::uint64_t block, std::uint64_t trials,
                                            const std::vector<std::size_t>& methods) const;
+
+  /// How many of the blocks that `trials` trials of a cell make are there; of the method that has the fewest.
+  std::uint64_t blocks_there(std::size_t cell, std::uint64_t trials, const std::vector<std::size_t>& methods) const;
 
   /// How far a cell is for some methods: the whole blocks that all have from the first on without a gap, and one past
   /// the last block that any has.

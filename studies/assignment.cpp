@@ -39,7 +39,9 @@ std::uint64_t Assignment::run_blocks() const {
 }
 
 bool Assignment::contains(std::size_t place, std::uint64_t block) const {
-  return (block / run_blocks() + place) % shard.count == shard.number - 1;
+  const std::uint64_t run = run_blocks();
+  const std::uint64_t runs_per_cell = (blocks_per_cell() + run - 1) / run;
+  return (place * runs_per_cell + block / run) % shard.count == shard.number - 1;
 }
 
 std::uint64_t Assignment::blocks() const {

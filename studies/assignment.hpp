@@ -8,6 +8,8 @@
 
 namespace ridgeloc::studies {
 
+inline constexpr std::uint64_t max_shards = 1'000'000;
+
 /// Share number `number` of `count` equal ones, counted from 1.
 struct Shard {
   std::uint64_t number = 1;
@@ -18,8 +20,8 @@ struct Shard {
 /// or one share of these blocks.
 ///
 /// Shares need no communication: the blocks of a cell are cut into at least 16 runs per share, as long as there are so
-/// many, and dealt in turn, beginning with another share for each cell. Runs are of 2^k blocks and aligned, so that the
-/// blocks of a share join in its result.
+/// many, and the runs of all cells are dealt in turn. Runs are of 2^k blocks and aligned, so that the blocks of a share
+/// join in its result.
 struct Assignment {
   std::vector<std::size_t> cells;    ///< of the plan, ascending
   std::vector<std::size_t> methods;  ///< of the header, ascending; extra labels among them

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "results/axis_values.hpp"
 
 namespace ridgeloc::studies {
 
@@ -17,30 +18,8 @@ namespace {
   throw core::InputError(fmt::format("--cell {}: {}", text, reason));
 }
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
-/// The pieces between separators that do not stand in brackets.
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> pieces;
-  int depth = 0;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i <= text.size(); ++i) {
-    if (i < text.size() && text[i] == '[') ++depth;
-    if (i < text.size() && text[i] == ']') --depth;
-    if (i < text.size() && (text[i] != separator || depth > 0)) continue;
-    pieces.push_back(trimmed(text.substr(begin, i - begin)));
-    begin = i + 1;
-  }
-  return pieces;
-}
-
-template <class Number>
-std::optional<Number> number_in(std::string_view text) {
-  Number value{};
+std::optional<std::uint64_t> number_in(std::string_view text) {
+  std::uint64_t value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
@@ -54,16 +33,7 @@ std::string plain(const Value& value) {
 }
 
 bool is_value(std::string_view text, const Value& value) {
-  if (const auto* integer = std::get_if<std::int64_t>(&value)) {
-    return number_in<double>(text) == static_cast<double>(*integer);
-  }
-  if (const auto* real = std::get_if<double>(&value)) return number_in<double>(text) == *real;
-  if (const auto* word = std::get_if<std::string>(&value)) return text == *word || text == to_toml(value);
-  const auto* interval = std::get_if<Interval>(&value);
-  if (interval == nullptr || text.size() < 2 || text.front() != '[' || text.back() != ']') return false;
-  const auto ends = split(text.substr(1, text.size() - 2), ',');
-  return ends.size() == 2 && number_in<double>(ends[0]) == (*interval)[0] &&
-         number_in<double>(ends[1]) == (*interval)[1];
+  return results::is_written_as(factor_value(value), text) || text == to_toml(value);
 }
 
 std::vector<std::string> axis_names(const Study& study) {
@@ -87,8 +57,8 @@ Choice choice(const Study& study, std::string_view text, std::string_view item) 
   if (equals == std::string_view::npos) {
     fail(text, fmt::format("\"{}\" is neither the number of a cell nor AXIS=VALUE, for example points=5", item));
   }
-  const std::string_view name = trimmed(item.substr(0, equals));
-  const std::string_view value = trimmed(item.substr(equals + 1));
+  const std::string_view name = results::trimmed(item.substr(0, equals));
+  const std::string_view value = results::trimmed(item.substr(equals + 1));
   const auto axis = std::ranges::find(study.sweep, name, [](const SweepAxis& a) { return a.setting->name; });
   if (axis == study.sweep.end()) {
     const auto names = axis_names(study);
@@ -110,13 +80,13 @@ Choice choice(const Study& study, std::string_view text, std::string_view item) 
 }  // namespace
 
 const Cell& choose_cell(const Study& study, const Plan& plan, std::string_view text) {
-  if (const auto number = number_in<std::uint64_t>(trimmed(text))) {
+  if (const auto number = number_in(results::trimmed(text))) {
     if (*number < plan.cells.size()) return plan.cells[*number];
     fail(text, fmt::format("there is no such cell (allowed: 0 to {})", plan.cells.size() - 1));
   }
   std::vector<Choice> choices;
-  if (!trimmed(text).empty()) {
-    for (const std::string_view item : split(text, ',')) choices.push_back(choice(study, text, item));
+  if (!results::trimmed(text).empty()) {
+    for (const std::string_view item : results::list_items(text)) choices.push_back(choice(study, text, item));
   }
   const Cell* chosen = nullptr;
   std::size_t count = 0;

@@ -100,6 +100,9 @@ class Run {
   /// What the stop rule asks for next; nothing when every cell has enough.
   std::vector<Stretch> next_round() const;
 
+  /// Blocks of the assigned cells that are there, of all shares.
+  std::uint64_t blocks_kept() const;
+
   std::uint64_t blocks_found() const { return found_.load(); }
   std::uint64_t blocks_run() const { return computed_.load(); }
 
@@ -174,6 +177,13 @@ std::vector<Stretch> Run::present() const {
   return all;
 }
 
+std::uint64_t Run::blocks_kept() const {
+  std::uint64_t sum = 0;
+  for (const std::size_t cell : assignment_.cells)
+    sum += writer_.blocks_there(cell, assignment_.trials, assignment_.methods);
+  return sum;
+}
+
 bool Run::is_enough(std::size_t cell) const {
   std::vector<results::Statistics> statistics;
   for (std::size_t m = 0; m < plan_.header.methods.size(); ++m) statistics.push_back(writer_.statistics(cell, m));
@@ -226,9 +236,11 @@ RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& ass
     }
   });
 
-  RunOutcome outcome{false, false, run.blocks_found(), run.blocks_run(), writer.warnings()};
+  RunOutcome outcome{false, false, run.blocks_found(), run.blocks_run(), 0, writer.warnings()};
   if (outcome.blocks_found + outcome.blocks_run < blocks || (study.stop && stop.load())) {
     writer.flush();
+    // A file may have more than this share, or than the looks so far have asked for.
+    outcome.blocks_kept = std::min(run.blocks_kept(), blocks);
     return outcome;
   }
   outcome.sealed = true;

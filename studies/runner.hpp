@@ -23,8 +23,9 @@ struct RunProgress {
 struct RunOutcome {
   bool sealed = false;             ///< false: stopped before the end, finished blocks kept
   bool unchanged = false;          ///< the result had everything already
-  std::uint64_t blocks_found = 0;  ///< finished by an earlier run
+  std::uint64_t blocks_found = 0;  ///< finished by an earlier run, as far as this one has come
   std::uint64_t blocks_run = 0;
+  std::uint64_t blocks_kept = 0;  ///< of a stopped run: finished ones of the assignment, by this run or earlier ones
   std::vector<std::string> warnings;  ///< one line per damaged part that was found and is computed again
 };
 

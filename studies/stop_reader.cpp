@@ -56,6 +56,10 @@ void read_stop(const toml::table& document, Study& study) {
   rule.target = std::get<double>(
       read_setting(rule.is_relative ? *relative : *target, target_setting(name), fmt::format("stop.{}", name)));
   rule.min_trials = table.contains("min_trials") ? read_trials(table, "min_trials", 1) : study.trials;
+  const toml::node* trials = document.get("trials");
+  if (trials != nullptr && is_override(*trials) && rule.min_trials != study.trials) {
+    fail_at(*trials, "[stop] has its own min_trials, which counts instead; set stop.min_trials");
+  }
   rule.max_trials = read_trials(table, "max_trials", rule.min_trials);
   study.trials = rule.min_trials;
   study.stop = std::move(rule);

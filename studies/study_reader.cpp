@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "results/file_system.hpp"
 #include "studies/catalog.hpp"
 #include "studies/sections.hpp"
 #include "studies/toml_document.hpp"
@@ -120,6 +121,10 @@ StudySource find_study(std::string_view path_or_name) {
     for (const CatalogEntry& entry : catalog()) names.emplace_back(entry.name);
     throw core::InputError(fmt::format("{}: no such study file, and no study of that name in the catalog{}",
                                        path_or_name, suggestion(path_or_name, names)));
+  }
+  if (results::begins_as_hdf5(path)) {
+    throw core::InputError(fmt::format(
+        "{}: is HDF5 and no study; `ridgeloc export --study` takes the study out of a result", path_or_name));
   }
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;

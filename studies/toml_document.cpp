@@ -126,10 +126,15 @@ toml::table parse_document(std::string_view text, const std::string& origin, std
   return document;
 }
 
+bool is_override(const toml::node& node) {
+  const toml::source_region& source = node.source();
+  return source.path != nullptr && source.path->starts_with(override_prefix);
+}
+
 std::string place_of(const toml::node& node) {
   const toml::source_region& source = node.source();
   if (source.path == nullptr) return "study";
-  if (source.path->starts_with(override_prefix)) return *source.path;
+  if (is_override(node)) return *source.path;
   return fmt::format("{}:{}", *source.path, source.begin.line);
 }
 
@@ -145,7 +150,7 @@ std::string text_of(const toml::node& node) {
 
 std::filesystem::path folder_of(const toml::node& node) {
   const toml::source_region& source = node.source();
-  if (source.path == nullptr || source.path->starts_with(override_prefix)) return {};
+  if (source.path == nullptr || is_override(node)) return {};
   return std::filesystem::path(*source.path).parent_path();
 }
 

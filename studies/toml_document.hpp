@@ -20,6 +20,9 @@ toml::table parse_document(std::string_view text, const std::string& origin, std
 /// "file:line" of a node, or the override that it came from.
 std::string place_of(const toml::node& node);
 
+/// Whether a node comes from an override.
+bool is_override(const toml::node& node);
+
 /// A value as messages quote it: on one line, shortened where it is long.
 std::string text_of(const toml::node& node);
 

@@ -11,6 +11,7 @@
 #include <random>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "results/block.hpp"
 
@@ -42,25 +43,23 @@ std::vector<BlockDifference> differences_of(const Study& study, const Plan& plan
 
 }  // namespace
 
-std::vector<BlockNumber> random_blocks(const results::Ledger& ledger, std::size_t count, std::uint64_t seed) {
-  std::uint64_t total = 0;
-  for (const results::Row& row : ledger.rows()) total += row.blocks;
-  std::set<BlockNumber> chosen;
-  if (total == 0) return {};
+std::vector<BlockNumber> all_blocks(const results::Ledger& ledger) {
+  std::vector<BlockNumber> blocks;
+  for (const results::Row& row : ledger.rows())
+    for (std::uint64_t i = 0; i < row.blocks; ++i) blocks.push_back({row.cell, row.first_block + i});
+  std::ranges::sort(blocks);
+  const auto repeated = std::ranges::unique(blocks);  // by other methods
+  blocks.erase(repeated.begin(), repeated.end());
+  return blocks;
+}
+
+std::vector<BlockNumber> random_choice(std::vector<BlockNumber> blocks, std::size_t count, std::uint64_t seed) {
   std::mt19937_64 engine(seed);
-  // The same block can be drawn twice, for another method: some more draws than blocks, then fewer blocks.
-  constexpr std::size_t draws_per_block = 20;
-  for (std::size_t draw = 0; draw < draws_per_block * count && chosen.size() < count; ++draw) {
-    std::uint64_t place = engine() % total;
-    for (const results::Row& row : ledger.rows()) {
-      if (place < row.blocks) {
-        chosen.insert({row.cell, row.first_block + place});
-        break;
-      }
-      place -= row.blocks;
-    }
-  }
-  return {chosen.begin(), chosen.end()};
+  const std::size_t chosen = std::min(count, blocks.size());
+  for (std::size_t i = 0; i < chosen; ++i) std::swap(blocks[i], blocks[i + engine() % (blocks.size() - i)]);
+  blocks.resize(chosen);
+  std::ranges::sort(blocks);
+  return blocks;
 }
 
 std::vector<BlockDifference> differing_blocks(const Study& study, const Plan& plan, const results::Ledger& ledger,

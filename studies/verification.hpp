@@ -18,8 +18,11 @@ struct BlockNumber {
   friend auto operator<=>(const BlockNumber&, const BlockNumber&) = default;
 };
 
-/// Up to `count` different blocks of a ledger, drawn from all that any method has, sorted. The same for the same seed.
-std::vector<BlockNumber> random_blocks(const results::Ledger& ledger, std::size_t count, std::uint64_t seed);
+/// The blocks of a ledger that any method has, sorted.
+std::vector<BlockNumber> all_blocks(const results::Ledger& ledger);
+
+/// `count` of different blocks, or all if there are no more, sorted. The same for the same seed.
+std::vector<BlockNumber> random_choice(std::vector<BlockNumber> blocks, std::size_t count, std::uint64_t seed);
 
 /// A method whose block is not what the ledger says.
 struct BlockDifference {

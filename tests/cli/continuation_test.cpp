@@ -25,14 +25,6 @@ struct WithStudy : WorkingFolder {
   std::string digest(const std::string& file) const { return results::data_digest(path() / file); }
 };
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-bool is_one_line(const std::string& text) {
-  return std::ranges::count(text, '\n') == 1;
-}
-
 }  // namespace
 
 TEST_CASE("raising --trials tops a result up; lowering it keeps the surplus and says so") {
@@ -66,12 +58,23 @@ TEST_CASE("a narrower study adds to a result what it lacks and loses nothing of 
   CHECK(folder.digest("s.h5") == folder.digest("fresh.h5"));
 }
 
+TEST_CASE("a result goes through a link to where the link points, and so do its parts") {
+  const WithStudy folder;
+  REQUIRE(folder.shell("mkdir disk && ln -s disk/r.h5 r.h5").exit_code == 0);
+  CHECK(folder.ridgeloc("run s.toml --trials 1e9 --time-limit 1s -o r.h5").exit_code == 4);
+  CHECK(folder.has("disk/r.h5.parts"));
+  CHECK(folder.ridgeloc("run s.toml --trials 100 -o r.h5").exit_code == 0);
+  CHECK(folder.ridgeloc("run s.toml --trials 5000 -o r.h5").exit_code == 0);
+  CHECK(folder.shell("test -L r.h5 && test -f disk/r.h5").exit_code == 0);
+  CHECK_FALSE(folder.has("r.h5.parts"));
+}
+
 TEST_CASE("a method whose settings have changed needs another name") {
   const WithStudy folder;
   REQUIRE(folder.ridgeloc("run s.toml").exit_code == 0);
   const Outcome outcome = folder.ridgeloc("run s.toml --set method.0.k=hk");
   CHECK(outcome.exit_code == 2);
-  CHECK(is_one_line(outcome.error));
+  CHECK(line_count(outcome.error) == 1);
   CHECK(contains(outcome.error, "method \"rrr\" has other settings"));
   CHECK(folder.ridgeloc("run s.toml --set method.0.k=hk --set method.0.name=hk").exit_code == 0);
 }
@@ -93,6 +96,21 @@ TEST_CASE("shares are merged to the whole; parts of it are results too") {
   CHECK(folder.digest("s.shard-1-of-3.h5") == folder.digest("s.h5"));
 }
 
+TEST_CASE("audit solves the trials that a result has, and no others") {
+  const WithStudy folder;
+  const auto trials = [&](const std::string& file) {
+    return folder.shell("'" RIDGELOC_PROGRAM "' audit " + file + " | awk '/^  (rrr|ols)/ { print $1, $2 }'").out;
+  };
+  // Blocks of 4096, 4096 and 808 trials, of two cells, dealt to three shares.
+  REQUIRE(folder.ridgeloc("run s.toml --shard 3/3 -o share.h5").exit_code == 0);
+  CHECK(trials("share.h5") == "rrr 808\nols 808\nrrr 808\nols 808\n");
+  folder.write("ols.toml", "experiment = \"ranging\"\n[sweep]\npoints = [3]\n[[method]]\nsolver = \"ols\"\n");
+  REQUIRE(folder.ridgeloc("run ols.toml --trials 9000 -o grown.h5").exit_code == 0);
+  REQUIRE(folder.ridgeloc("run s.toml --trials 100 -o grown.h5").exit_code == 0);
+  CHECK(trials("grown.h5") == "rrr 100\nols 9000\nrrr 100\nols 100\n");
+  CHECK(trials("grown.h5 --trials 5000") == "rrr 100\nols 5000\nrrr 100\nols 100\n");
+}
+
 TEST_CASE("merge refuses other studies, other instruction sets and a file that is there") {
   const WithStudy folder;
   REQUIRE(folder.ridgeloc("run s.toml -o a.h5 --trials 100 --isa baseline").exit_code == 0);
@@ -103,7 +121,7 @@ TEST_CASE("merge refuses other studies, other instruction sets and a file that i
     const Outcome outcome = folder.ridgeloc("merge " + arguments);
     INFO(outcome.error);
     CHECK(outcome.exit_code == 2);
-    CHECK(is_one_line(outcome.error));
+    CHECK(line_count(outcome.error) == 1);
     CHECK(contains(outcome.error, message));
   };
   refused("a.h5 b.h5 -o c.h5", "seed is ");
@@ -111,8 +129,41 @@ TEST_CASE("merge refuses other studies, other instruction sets and a file that i
   refused("a.h5 -o a.h5", "a.h5 exists");
   refused("a.h5 s.toml -o c.h5", "s.toml is not an HDF5 file");
   refused("a.h5 -o nowhere/c.h5", "nowhere");
+  refused("a.h5 b.h5 -o c.h5", " and cannot be merged with ");
   refused("a.h5", "-o");
   CHECK_FALSE(folder.has("c.h5"));
+}
+
+TEST_CASE("a result of several instruction sets says why it cannot be computed again or continued") {
+  const WithStudy folder;
+  for (const char* share : {"1/2 --isa baseline -o a.h5", "2/2 -o b.h5"})
+    REQUIRE(folder.ridgeloc(std::string("run s.toml --shard ") + share).exit_code == 0);
+  if (folder.ridgeloc("merge a.h5 b.h5 -o s.h5").exit_code == 0) return;  // this processor has the baseline alone
+  REQUIRE(folder.ridgeloc("merge a.h5 b.h5 -o s.h5 --mix-isa").exit_code == 0);
+  CHECK(folder.ridgeloc("verify s.h5 --blocks 0").exit_code == 0);
+  for (const char* verb :
+       {"verify s.h5", "run s.toml", "run s.toml --isa baseline", "audit s.h5", "replay s.h5 --cell 0 --trial 0"}) {
+    const Outcome outcome = folder.ridgeloc(verb);
+    INFO(verb << ": " << outcome.error);
+    CHECK(outcome.exit_code == 2);
+    CHECK(line_count(outcome.error) == 1);
+    CHECK(contains(outcome.error, "was merged from results of several instruction sets"));
+  }
+}
+
+TEST_CASE("a stopped run counts all blocks that are kept, not only those that it came across") {
+  const WithStudy folder;
+  const auto kept = [&](const std::string& threads) {
+    const std::string error = folder.ridgeloc("run s.toml --trials 1e9 --time-limit 1s --threads " + threads).error;
+    INFO(error);
+    const std::size_t place = error.find("stopped; ");
+    REQUIRE(place != std::string::npos);
+    CHECK(contains(error, " are kept in s.h5.parts."));
+    return std::stoull(error.substr(place + 9));
+  };
+  const auto first = kept("2");
+  // Two threads begin at two places; one thread alone does not come to the second of them.
+  CHECK(kept("1") > first);
 }
 
 TEST_CASE("a time limit and SIGUSR1 stop a run and keep what is finished") {
@@ -127,16 +178,18 @@ TEST_CASE("a time limit and SIGUSR1 stop a run and keep what is finished") {
   const Outcome signalled = folder.shell("timeout -s USR1 -k 20 1 '" RIDGELOC_PROGRAM "' run s.toml --trials 1e10");
   CHECK(signalled.exit_code == 124);  // timeout's own
   CHECK(contains(signalled.error, "stopped;"));
-  for (const char* bad : {"0", "soon", "1x", "-5", "1:2:3:4"}) {
-    const Outcome outcome = folder.ridgeloc(std::string("run s.toml -o x.h5 --time-limit=") + bad);
+  for (const std::string& bad : {std::string("0"), std::string("soon"), std::string("1x"), std::string("-5"),
+                                 std::string("1:2:3:4"), std::string(400, '9'), std::string(100'000, '9')}) {
+    const Outcome outcome = folder.ridgeloc("run s.toml -o x/ --time-limit=" + bad);
     CHECK(outcome.exit_code == 2);
-    CHECK(is_one_line(outcome.error));
+    CHECK(line_count(outcome.error) == 1);
   }
   for (const char* bad : {"0/3", "4/3", "1", "1/", "/2", "a/b", "1/2/3"}) {
     const Outcome outcome = folder.ridgeloc(std::string("run s.toml -o x.h5 --shard ") + bad);
     CHECK(outcome.exit_code == 2);
     CHECK(contains(outcome.error, "i/N"));
   }
+  CHECK_FALSE(folder.has("x"));
   CHECK_FALSE(folder.has("x.h5"));
 }
 
@@ -146,13 +199,17 @@ TEST_CASE("verify recomputes blocks, tells a result of other numbers, and prints
   const Outcome good = folder.ridgeloc("verify s.h5 --blocks 4 --seed 1");
   CHECK(good.exit_code == 0);
   CHECK(contains(good.out, "complete: 2 cells with 9000 trials each"));
-  CHECK(contains(good.out, "4 of 4 computed again"));
+  CHECK(contains(good.out, "4 of 6 computed again"));
+  CHECK(contains(folder.ridgeloc("verify s.h5 --blocks 1000000000000").out, "6 of 6 computed again"));
+  CHECK(folder.ridgeloc("verify s.h5 --digest --blocks 2").exit_code == 2);
+  CHECK(folder.ridgeloc("verify s.h5 --digest --seed 2").exit_code == 2);
   CHECK(folder.ridgeloc("verify s.h5 --digest").out == folder.digest("s.h5") + "\n");
 
   const Outcome listed = folder.ridgeloc("export s.h5 --failures");
   CHECK(listed.exit_code == 0);
   CHECK(listed.out.starts_with("points,trial,method,reason\n"));
   CHECK(folder.ridgeloc("export s.h5 --failures --trials").exit_code == 2);
+  CHECK(folder.ridgeloc("export s.h5 --study --csv").exit_code == 2);
   CHECK(folder.ridgeloc("verify s.toml").exit_code == 2);
   CHECK(folder.ridgeloc("verify missing.h5").exit_code == 2);
 }
@@ -169,6 +226,6 @@ TEST_CASE("compare says whether two results of one study agree") {
   CHECK(contains(same.out, "equal: both hold the same numbers, bit for bit"));
   const Outcome other = folder.ridgeloc("compare a.h5 c.h5");
   CHECK(other.exit_code == 2);
-  CHECK(is_one_line(other.error));
+  CHECK(line_count(other.error) == 1);
   CHECK(contains(other.error, "depth_m is [1.0, 10.0], not [1.0, 2.0]"));
 }

@@ -9,15 +9,12 @@ finds the damaged part must say so and end with the data digest of an undisturbe
 wrong outputs and other messages are counted; the exit code is 0 if there are none. Files lie in a folder under TMPDIR.
 """
 
-import argparse
 import collections
-import pathlib
-import random
 import signal
-import subprocess
 import sys
-import tempfile
 import time
+
+import loop
 
 STUDY = """experiment = "ranging"
 audit = 0
@@ -67,34 +64,17 @@ def damaged(content, chance):
     return content + chance.randbytes(size), f"{size} bytes appended"
 
 
-class Loop:
+class DamageLoop(loop.Loop):
     def __init__(self, program, folder, seed):
-        self.program = program
-        self.folder = folder
-        self.random = random.Random(seed)
+        super().__init__(program, folder, seed)
         self.counts = collections.defaultdict(collections.Counter)
-        self.problems = []
-
-    def call(self, arguments):
-        """Exit code, output, message; no exit code if it hangs."""
-        try:
-            done = subprocess.run([self.program, *arguments], cwd=self.folder, capture_output=True, timeout=HANG_SECONDS)
-        except subprocess.TimeoutExpired:
-            return None, b"", b""
-        return done.returncode, done.stdout, done.stderr
-
-    def require(self, *arguments):
-        code, output, message = self.call(arguments)
-        if code != 0:
-            sys.exit(f"ridgeloc {' '.join(arguments)} failed: {message.decode()}")
-        return output
 
     def value(self, name):
         """What counts of a written file: the data of a result, all of another."""
         if name is None:
             return b""
         if name.endswith(".h5"):
-            return self.call(["verify", "--digest", name])[1]
+            return self.digest(name)
         return (self.folder / name).read_bytes()
 
     def count(self, who, outcome, what, message):
@@ -122,7 +102,7 @@ class Loop:
                 result.write_bytes(content)
                 if written and written != result.name:
                     (self.folder / written).unlink(missing_ok=True)
-                code, output, message = self.call(arguments)
+                code, output, message = self.call(*arguments, timeout=HANG_SECONDS)
                 if round_number == 0:
                     if code != 0:
                         sys.exit(f"{verb} fails on a whole result: {message.decode()}")
@@ -143,24 +123,29 @@ class Loop:
         seconds = 0.02
         while not part.exists():
             (self.folder / "parted.h5").unlink(missing_ok=True)
-            process = subprocess.Popen([self.program, *arguments, "--threads", "1"], cwd=self.folder,
-                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            process = self.start(*arguments, "--threads", "1")
             time.sleep(seconds)
             process.send_signal(signal.SIGTERM)
-            process.wait()
+            process.communicate()
             seconds += 0.01
         whole = part.read_bytes()
         for _ in range(files):
             content, what = damaged(whole, self.random)
             part.parent.mkdir(exist_ok=True)
             part.write_bytes(content)
-            code, _, message = self.call(arguments)
+            code, _, message = self.call(*arguments, timeout=HANG_SECONDS)
             is_told = b"warning: ignored, its blocks are computed again: " in message
             outcome = self.outcome(code, b"", lambda: self.value("parted.h5") == expected)
             if outcome == "harmless":
                 outcome = "told" if is_told or content == whole else "not told"
             self.count("run with a part", outcome, what, message)
             (self.folder / "parted.h5").unlink(missing_ok=True)
+
+    def run(self, files):
+        begin = time.monotonic()
+        self.damage_results(files)
+        self.damage_parts(files)
+        return self.report(time.monotonic() - begin)
 
     def report(self, seconds):
         print(f"in {seconds:.0f} s, of each verb with damaged files:")
@@ -171,20 +156,5 @@ class Loop:
         return 1 if self.problems else 0
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("program", type=pathlib.Path)
-    parser.add_argument("--files", type=int, default=1000)
-    parser.add_argument("--seed", type=int, default=1)
-    arguments = parser.parse_args()
-    with tempfile.TemporaryDirectory(prefix="ridgeloc-damage-") as folder:
-        (pathlib.Path(folder) / "study.toml").write_text(STUDY)
-        loop = Loop(arguments.program.resolve(), pathlib.Path(folder), arguments.seed)
-        begin = time.monotonic()
-        loop.damage_results(arguments.files)
-        loop.damage_parts(arguments.files)
-        return loop.report(time.monotonic() - begin)
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(loop.main(DamageLoop, __doc__, {"study.toml": STUDY}, "files"))

@@ -45,14 +45,6 @@ bool has_own_disks() {
     return;                                                                                              \
   }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-std::size_t lines(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count(text, '\n'));
-}
-
 }  // namespace
 
 // 60000 trials of the study are 14 MB, as parts and as a result, so that a disk with less room fails the first part and
@@ -77,7 +69,7 @@ ridgeloc run s.toml -o whole.h5 2> whole
 ridgeloc verify --digest whole.h5
 )");
   INFO(outcome.out << outcome.error << folder.read("again"));
-  CHECK(lines(outcome.error) == 1);
+  CHECK(line_count(outcome.error) == 1);
   CHECK(contains(outcome.error, ": No space left on device (" + kept + "the same command goes on from there)"));
   const std::string left = kept.empty() ? "" : "s.h5.parts\n";
   const std::string digest = folder.ridgeloc("verify --digest whole.h5").out;
@@ -97,7 +89,7 @@ ridgeloc verify --blocks 1 disk/s.h5 > verified; echo $?
 )");
   INFO(outcome.out << outcome.error);
   CHECK(outcome.out == "disk/s.h5\n2\n2\n0\n");
-  CHECK(lines(outcome.error) == 2);
+  CHECK(line_count(outcome.error) == 2);
   CHECK(contains(outcome.error, "cannot write disk/s.h5: Read-only file system"));
   CHECK(contains(outcome.error, "cannot write disk/s.csv: Read-only file system"));
 }
@@ -116,7 +108,7 @@ grep -v "trials/s" error >&2
 ls disk disk/s.h5.parts
 )");
   INFO(outcome.out << outcome.error);
-  CHECK(lines(outcome.error) == 1);
+  CHECK(line_count(outcome.error) == 1);
   CHECK(contains(outcome.error, "Read-only file system (finished parts are kept in disk/s.h5.parts; the same command"));
   CHECK(contains(outcome.out, "part-000000.h5\n3\ndisk:\ns.h5.parts\n"));
 }
@@ -130,7 +122,7 @@ TEST_CASE("a folder that vanishes during a run is one line and exit code 3, and 
                                        vanishing + "; wait $run");
   INFO(outcome.error);
   CHECK(outcome.exit_code == 3);
-  CHECK(lines(outcome.error) == 1);
+  CHECK(line_count(outcome.error) == 1);
   CHECK(contains(outcome.error, "s.h5"));
   CHECK(contains(outcome.error, "(the same command goes on from there)"));
   CHECK_FALSE(folder.has("out/s.h5"));
@@ -151,7 +143,7 @@ TEST_CASE("a file-size limit that parts keep and the result exceeds leaves the p
   const Outcome limited = folder.shell("ulimit -f 27000 && '" RIDGELOC_PROGRAM "' run s.toml");
   INFO(limited.error);
   CHECK(limited.exit_code == 3);
-  CHECK(lines(limited.error) == 1);
+  CHECK(line_count(limited.error) == 1);
   CHECK(contains(limited.error, "File too large (finished parts are kept in s.h5.parts; the same command goes on"));
   const Outcome again = folder.ridgeloc("run s.toml");
   CHECK(again.exit_code == 0);

@@ -37,4 +37,7 @@ class WorkingFolder {
   std::filesystem::path path_;
 };
 
+bool contains(const std::string& text, const std::string& piece);
+std::size_t line_count(const std::string& text);
+
 }  // namespace ridgeloc::tests

@@ -7,10 +7,6 @@ using namespace ridgeloc::tests;
 
 namespace {
 
-bool contains(const std::string& text, const std::string& piece) {
-  return text.find(piece) != std::string::npos;
-}
-
 /// A folder with a small study and its result.
 struct WithResult : WorkingFolder {
   WithResult() {

@@ -23,10 +23,6 @@ y = "error_all_m"
 group = "method"
 )";
 
-std::size_t lines(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count(text, '\n'));
-}
-
 }  // namespace
 
 TEST_CASE("run writes one result, prints its path, and does nothing the second time") {
@@ -49,7 +45,7 @@ TEST_CASE("a result of another study is never overwritten") {
   for (const char* change : {"--audit 0.5", "--seed 3", "--set noise.range_sigma_m=0.2"}) {
     const Outcome outcome = folder.ridgeloc(std::string("run small.toml ") + change);
     CHECK(outcome.exit_code == 2);
-    CHECK(lines(outcome.error) == 1);
+    CHECK(line_count(outcome.error) == 1);
     CHECK(outcome.error.find("small.h5: holds another study (") != std::string::npos);
   }
   CHECK(folder.read("small.h5") == before);
@@ -120,6 +116,8 @@ TEST_CASE("bad input is one line on standard error, exit code 2, and no file") {
   folder.write("type.toml", "experiment = \"ranging\"\ntrials = \"ten\"\n[[method]]\nsolver = \"rr\"\n");
   folder.write("range.toml", "experiment = \"ranging\"\n[scene]\npoints = 2\n[[method]]\nsolver = \"rr\"\n");
   folder.write("not_a_folder", "");
+  folder.write("stop.toml", small + "[stop]\nmetric = \"error_m\"\ntarget = 1\nmin_trials = 4096\nmax_trials = 8192\n");
+  folder.write("result.h5", "\x89HDF\r\n\x1a\n and more");
   const auto before = folder.entries();
   const auto [arguments, message] = GENERATE(table<std::string, std::string>({
       {"run broken.toml", "broken.toml:1: not valid TOML"},
@@ -138,6 +136,10 @@ TEST_CASE("bad input is one line on standard error, exit code 2, and no file") {
       {"run small.toml --trials 0", "trials = 0 is not allowed"},
       {"run small.toml --set", "--set"},
       {"run small.toml --set scene.depth=1", "did you mean \"depth_m\"?"},
+      {"run stop.toml --trials 9000", "[stop] has its own min_trials"},
+      {"run stop.toml --set stop.min_trials=9000", "stop.max_trials"},
+      {"plan stop.toml --trials 9000", "[stop] has its own min_trials"},
+      {"run result.h5", "takes the study out of a result"},
       {"run", "STUDY"},
       {"rnu", "unknown verb \"rnu\", did you mean \"run\"?"},
       {"", "subcommand"},
@@ -156,7 +158,7 @@ TEST_CASE("bad input is one line on standard error, exit code 2, and no file") {
   const Outcome outcome = folder.ridgeloc(arguments);
   INFO(outcome.error);
   CHECK(outcome.exit_code == 2);
-  CHECK(lines(outcome.error) == 1);
+  CHECK(line_count(outcome.error) == 1);
   CHECK(outcome.error.find(message) != std::string::npos);
   CHECK(outcome.out.empty());
   CHECK(folder.entries() == before);
@@ -194,7 +196,7 @@ TEST_CASE("a run goes on with the instruction set that it began with, and refuse
   const Outcome other = folder.ridgeloc("run small.toml --trials 4000000 --isa avx2");
   CHECK(other.exit_code == 2);
   CHECK(other.error.find("small.h5") != std::string::npos);
-  CHECK(lines(other.error) == 1);
+  CHECK(line_count(other.error) == 1);
 }
 
 TEST_CASE("a file-size limit, like a full disk, is one line, exit code 3, and keeps what is finished") {
@@ -205,7 +207,7 @@ TEST_CASE("a file-size limit, like a full disk, is one line, exit code 3, and ke
       folder.shell("ulimit -f 64 && '" RIDGELOC_PROGRAM "' run small.toml --trials 50000 --threads 2");
   INFO(outcome.error);
   CHECK(outcome.exit_code == 3);
-  CHECK(lines(outcome.error) == 1);
+  CHECK(line_count(outcome.error) == 1);
   CHECK(outcome.error.find("the same command goes on from there") != std::string::npos);
   CHECK(outcome.error.find("finished parts are kept") == std::string::npos);  // there are none
   CHECK_FALSE(folder.has("small.h5.parts"));

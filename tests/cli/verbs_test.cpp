@@ -8,10 +8,6 @@ using namespace ridgeloc::tests;
 
 namespace {
 
-bool contains(const std::string& text, const std::string& piece) {
-  return text.find(piece) != std::string::npos;
-}
-
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in(text);
@@ -184,6 +180,9 @@ TEST_CASE("plot draws all figures, or one, in the formats asked for") {
   CHECK(folder.ridgeloc("plot result.h5 --figure rat").exit_code == 2);
   CHECK(folder.ridgeloc("plot result.h5 --figure rate -o picture.jpg").exit_code == 2);
   CHECK(folder.ridgeloc("plot result.h5 -o nowhere/at/all").exit_code == 2);
+  for (const char* verb : {"plot", "report"})
+    CHECK(contains(folder.shell(std::string("TMPDIR=nowhere '" RIDGELOC_PROGRAM "' ") + verb + " result.h5").error,
+                   "set TMPDIR to"));
   CHECK_FALSE(folder.has("nowhere"));
   CHECK(folder.ridgeloc("plot result.h5 -o pictures --figure rate").out == "pictures/rate.svg\n");
 }
@@ -316,6 +315,9 @@ TEST_CASE("output goes through links, to devices, and never over a neighbour's f
   CHECK(folder.ridgeloc("export result.h5 -o link.csv").exit_code == 0);
   CHECK(folder.read("real.csv") == folder.read("table.csv"));
   CHECK(folder.shell("test -L link.csv").exit_code == 0);
+  REQUIRE(folder.shell("mkdir far && ln -s far/new.csv later.csv").exit_code == 0);
+  CHECK(folder.ridgeloc("export result.h5 -o later.csv").exit_code == 0);
+  CHECK(folder.read("far/new.csv") == folder.read("table.csv"));
   const std::string result = folder.read("result.h5");
   CHECK(folder.ridgeloc("export result.h5 -o result.h5").exit_code == 2);
   CHECK(folder.shell("cp result.h5 other.svg").exit_code == 0);

@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "results/completeness.hpp"
 #include "results/csv.hpp"
+#include "results/parts_folder.hpp"
 #include "results/result_file.hpp"
 #include "results/result_writer.hpp"
 #include "results/table.hpp"

@@ -164,6 +164,13 @@ TEST_CASE("a coverage agrees with a plain list of the trials of each block") {
       REQUIRE(coverage.contains(b, trials[b] + 1) == (trials[b] == block_trials));
       if (trials[b] > 0) REQUIRE(coverage.contains(b, trials[b]));
     }
+    for (const std::uint64_t asked : {0, 1, 95, 100, 333, 800}) {
+      const std::uint64_t blocks = (asked + block_trials - 1) / block_trials;
+      std::uint64_t there = 0;
+      for (std::uint64_t b = 0; b < blocks; ++b)
+        if (trials[b] >= std::min(block_trials, asked - b * block_trials)) ++there;
+      REQUIRE(coverage.count(asked, block_trials) == there);
+    }
     REQUIRE(coverage.trials(block_trials) == std::accumulate(trials.begin(), trials.end(), std::uint64_t{0}));
   }
 }

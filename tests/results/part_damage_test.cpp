@@ -3,6 +3,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "results/parts_folder.hpp"
 #include "results/result_writer.hpp"
 #include "results/sample_study.hpp"
 

@@ -116,6 +116,17 @@ TEST_CASE("results that may not be merged are refused") {
   CHECK_THROWS_AS(merge_results({folder / "a.h5"}, folder / "m.h5", other, {}), core::InputError);
 }
 
+TEST_CASE("what a result was merged from is kept, however many it were") {
+  const test::ScratchFolder folder;
+  const Header header = test::sample_header();
+  test::write_sample(folder / "a.h5", header);
+  Provenance provenance;
+  for (int i = 0; i < 10'000; ++i) provenance.contributions.push_back("share " + std::to_string(i));
+  merge_results({folder / "a.h5"}, folder / "merged.h5", header, provenance);
+  CHECK(read_provenance(folder / "merged.h5").contributions == provenance.contributions);
+  CHECK(contributions_of(folder / "merged.h5") == provenance.contributions);
+}
+
 TEST_CASE("instruction sets may be mixed if that is asked for") {
   const test::ScratchFolder folder;
   Header header = test::sample_header();

@@ -97,6 +97,7 @@ TEST_CASE("a stopped run is taken up where it stopped, and ends in the same byte
   watcher.request_stop();
   watcher.join();
   REQUIRE_FALSE(first.sealed);
+  CHECK(first.blocks_kept == first.blocks_run);
   CHECK_FALSE(fs::exists(folder / "stopped.h5"));
   CHECK(fs::exists(folder / "stopped.h5.parts"));
 

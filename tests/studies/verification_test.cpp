@@ -1,5 +1,7 @@
 #include "studies/verification.hpp"
 
+#include <set>
+
 #include "catch.hpp"
 #include "results/block.hpp"
 #include "studies/assignment.hpp"
@@ -53,13 +55,21 @@ TEST_CASE("blocks that are what the ledger says are found equal, and a wrong dig
   }
 }
 
-TEST_CASE("random blocks are different blocks of the ledger, and those of their seed") {
+TEST_CASE("random blocks are different blocks of the ledger, those of their seed, and never more than there are") {
   const Computed computed;
   results::Ledger ledger(computed.plan.header.block_trials);
   for (const BlockNumber& where : {BlockNumber{0, 0}, BlockNumber{0, 1}, BlockNumber{1, 2}})
     for (results::Row& row : computed.rows_of(where)) ledger.insert(std::move(row));
-  CHECK(random_blocks(ledger, 2, 5) == random_blocks(ledger, 2, 5));
-  CHECK(random_blocks(ledger, 2, 5).size() == 2);
-  CHECK(random_blocks(ledger, 50, 1) == std::vector<BlockNumber>{{0, 0}, {0, 1}, {1, 2}});
-  CHECK(random_blocks(results::Ledger(16), 3, 1).empty());
+  const std::vector<BlockNumber> all = all_blocks(ledger);
+  CHECK(all == std::vector<BlockNumber>{{0, 0}, {0, 1}, {1, 2}});
+  CHECK(all_blocks(results::Ledger(16)).empty());
+  CHECK(random_choice(all, 2, 5).size() == 2);
+  CHECK(random_choice(all, 1'000'000'000'000, 1) == all);
+  CHECK(random_choice({}, 3, 1).empty());
+  std::set<std::vector<BlockNumber>> seen;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    CHECK(random_choice(all, 2, seed) == random_choice(all, 2, seed));
+    seen.insert(random_choice(all, 2, seed));
+  }
+  CHECK(seen.size() == 3);  // every pair, but for a chance of 3 (2/3)^100 = 7e-18
 }
