@@ -182,7 +182,7 @@ std::string script_of(const FloorPlan& plan, FigureFormat format, const std::fil
                                    terminal(format, page), gnuplot_string(output.string()));
   for (const auto& outline : plan.outlines) {
     for (const DrawnPoint& p : outline) script += fmt::format("{} {}\n", p.x, p.y);
-    script += fmt::format("{} {}\n\n", outline.front().x, outline.front().y);
+    script += "\n";
   }
   script += "EOD\nunset key\nset multiplot\n" + draw_page(plan, layout, page);
   for (std::size_t i = 0; i < plan.panels.size(); ++i) script += draw_panel(plan, layout, page, i);

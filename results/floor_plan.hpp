@@ -44,7 +44,7 @@ struct PlanKey {
 struct FloorPlan {
   std::string title;
   DrawingWindow window;
-  std::vector<std::vector<DrawnPoint>> outlines;  ///< closed
+  std::vector<std::vector<DrawnPoint>> outlines;  ///< lines, of walls
   double tile = 1.0;                              ///< side of a tile, in the units of the plan
   std::vector<PlanPanel> panels;
   std::vector<PlanKey> keys;

@@ -66,6 +66,36 @@ bool BuildingMap::sees(const PlanPoint& from, const PlanPoint& to) const {
   return std::ranges::none_of(walls, [&](const Wall& wall) { return crosses(wall, from, to); });
 }
 
+std::vector<Wall> all_walls(const BuildingMap& map) {
+  std::vector<Rectangle> free = map.areas;
+  free.insert(free.end(), map.openings.begin(), map.openings.end());
+  std::vector<Wall> walls = map.walls;
+  // The parts of a side, at `at` across it, that no other rectangle touches.
+  const auto add_side = [&](const Rectangle& r, bool along_x, double at) {
+    const auto side = [along_x](const Rectangle& q) { return along_x ? q.x_m : q.y_m; };
+    const auto across = [along_x](const Rectangle& q) { return along_x ? q.y_m : q.x_m; };
+    std::vector<std::array<double, 2>> open;
+    for (const Rectangle& q : free) {
+      if (q != r && across(q)[0] <= at && at <= across(q)[1]) open.push_back(side(q));
+    }
+    std::ranges::sort(open);
+    open.push_back({side(r)[1], side(r)[1]});
+    double from = side(r)[0];
+    for (const auto& [low, high] : open) {
+      const double to = std::min(low, side(r)[1]);
+      if (to > from) {
+        walls.push_back(along_x ? Wall{{from, at}, {to, at}} : Wall{{at, from}, {at, to}});
+      }
+      from = std::max(from, high);
+    }
+  };
+  for (const Rectangle& r : free) {
+    for (const double y : r.y_m) add_side(r, true, y);
+    for (const double x : r.x_m) add_side(r, false, x);
+  }
+  return walls;
+}
+
 bool overlap(const Rectangle& a, const Rectangle& b) {
   const auto meet = [](const std::array<double, 2>& s, const std::array<double, 2>& t) {
     return s[0] < t[1] && t[0] < s[1];

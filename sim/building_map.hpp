@@ -75,6 +75,9 @@ struct BuildingMap {
   friend bool operator==(const BuildingMap&, const BuildingMap&) = default;
 };
 
+/// Every wall of a map: its own, and the borders of areas and openings where these do not touch another one.
+std::vector<Wall> all_walls(const BuildingMap& map);
+
 /// Whether the insides of two rectangles meet.
 bool overlap(const Rectangle& a, const Rectangle& b);
 

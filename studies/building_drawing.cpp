@@ -132,10 +132,9 @@ results::FloorPlan building_drawing(const BuildingCell& settings, const Building
                                     const std::vector<BuildingPanel>& panels) {
   const Painter painter(settings, scratch);
   results::FloorPlan plan;
-  for (const auto* free : {&settings.photo.map->areas, &settings.photo.map->openings}) {
-    for (const sim::Rectangle& r : *free) plan.outlines.push_back(corners(r));
+  for (const sim::Wall& wall : sim::all_walls(*settings.photo.map)) {
+    plan.outlines.push_back({at(wall.from_m), at(wall.to_m)});
   }
-  for (const sim::Wall& wall : settings.photo.map->walls) plan.outlines.push_back({at(wall.from_m), at(wall.to_m)});
   plan.window = painter.window(panels);
   plan.tile = settings.start_spacing_m;
   for (const BuildingPanel& panel : panels) plan.panels.push_back(painter.panel(panel));
