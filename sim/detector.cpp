@@ -90,4 +90,8 @@ Pseudorange pseudorange(const Camera& camera, const Box& box, double height_m) {
   return {alpha, alpha * off_axis_px2 / (camera.pixels_per_mm() * camera.pixels_per_mm())};
 }
 
+Pseudorange pseudorange(const Camera& camera, const Detection& detection, const MapObject& taken_for) {
+  return pseudorange(camera, detection.box, taken_for.height_m * detection.height_factor);
+}
+
 }  // namespace ridgeloc::sim
