@@ -11,7 +11,7 @@ namespace ridgeloc::results {
 /// How places of a kind are marked.
 enum class PlanMark {
   Object,    ///< small grey dot
-  Used,      ///< black dot in a ring
+  Used,      ///< hollow grey square
   Filled,    ///< filled black circle
   Hollow,    ///< hollow black circle
   Cross,     ///< coloured cross

@@ -36,9 +36,11 @@ double turn(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
+/// A line over an end of the wall crosses it, so that nothing shows between walls that meet. One that ends on it does
+/// not.
 bool crosses(const Wall& wall, const PlanPoint& from, const PlanPoint& to) {
   return turn(wall.from_m, wall.to_m, from) * turn(wall.from_m, wall.to_m, to) < 0.0 &&
-         turn(from, to, wall.from_m) * turn(from, to, wall.to_m) < 0.0;
+         turn(from, to, wall.from_m) * turn(from, to, wall.to_m) <= 0.0;
 }
 
 }  // namespace

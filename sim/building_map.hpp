@@ -69,7 +69,7 @@ struct BuildingMap {
   bool is_inside(const PlanPoint& p) const;
 
   /// Whether nothing stands between two places: the line between them stays within areas and openings, and crosses no
-  /// wall. Objects do not hide each other.
+  /// wall. What hangs on a wall is seen from both sides. Objects do not hide each other.
   bool sees(const PlanPoint& from, const PlanPoint& to) const;
 
   friend bool operator==(const BuildingMap&, const BuildingMap&) = default;

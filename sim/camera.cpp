@@ -81,6 +81,7 @@ std::optional<View> Photographer::view(const MapObject& object, std::size_t numb
   const double half_width = 0.5 * camera_.width_px;
   const double half_height = 0.5 * camera_.height_px;
   if (left < -half_width || right > half_width || top < -half_height || bottom > half_height) return std::nullopt;
+  if (bottom - top < camera_.smallest_box_px) return std::nullopt;
   View view;
   view.object = number;
   view.box = {0.5 * (left + right), 0.5 * (top + bottom), right - left, bottom - top};
@@ -108,7 +109,7 @@ void take_photo(const BuildingMap& map, const Camera& camera, const CameraPose& 
   if (views.empty()) return;
   const auto from_axis = [](const View& view) { return view.box.x_px * view.box.x_px + view.box.y_px * view.box.y_px; };
   image_distance_mm = camera.image_distance_mm(std::ranges::min_element(views, {}, from_axis)->depth_m);
-  // Focusing only enlarges the picture: nothing new comes into it, and what stands at its edge may leave.
+  // Focusing only enlarges the picture: what stands at its edge may leave, and what was too small stays out.
   std::erase_if(views, [&](View& seen) {
     const auto view = photographer.view(map.objects[seen.object], seen.object, image_distance_mm);
     if (view) seen = *view;

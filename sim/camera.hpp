@@ -58,8 +58,9 @@ class Photographer {
   Photographer(const Camera& camera, const CameraPose& pose);
 
   /// The box around an object, a rectangle as wide as the camera looks and as high as it stands, for an image distance;
-  /// none where it lies less than `nearest_m` before the camera or is not wholly in the picture. Without pitch and roll
-  /// the height of the box is h v / u pixels on the sensor, u the depth, so that r^2 = alpha (v^2 + l^2) holds exactly.
+  /// none where it lies less than `nearest_m` before the camera, is too far, too small or not wholly in the picture.
+  /// Without pitch and roll the height of the box is h v / u on the sensor, u the depth, so that
+  /// r^2 = alpha (v^2 + l^2) holds exactly.
   std::optional<View> view(const MapObject& object, std::size_t number, double image_distance_mm) const;
 
   /// Depth of a place along the optical axis (m).

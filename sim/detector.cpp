@@ -14,7 +14,7 @@ enum Draw : std::uint64_t { Found, VerticalEdges, HorizontalEdges, Outlier, Cent
 
 constexpr std::uint64_t draws_of_attempt = std::uint64_t{1} << 32;
 
-/// The share of normal errors of standard deviation 1 that are smaller than |z|, within 0.01 (logistic function).
+/// The share of normal errors of standard deviation 1 that are smaller than |z|, within 0.02 (logistic function).
 double rank_of(double z) {
   const double slope = -1.702;
   // Beyond this it is 1 to the last bit, and the exponential's range is not left.
@@ -88,6 +88,10 @@ Pseudorange pseudorange(const Camera& camera, const Box& box, double height_m) {
   const double off_axis_px2 = box.x_px * box.x_px + box.y_px * box.y_px;
   const double alpha = per_mm * per_mm;
   return {alpha, alpha * off_axis_px2 / (camera.pixels_per_mm() * camera.pixels_per_mm())};
+}
+
+Pseudorange pseudorange(const Camera& camera, const Detection& detection, const MapObject& taken_for) {
+  return pseudorange(camera, detection.box, taken_for.height_m * detection.height_factor);
 }
 
 }  // namespace ridgeloc::sim

@@ -60,5 +60,7 @@ struct Pseudorange {
   double range_m(double image_distance_mm) const;
 };
 Pseudorange pseudorange(const Camera& camera, const Box& box, double height_m);
+/// Of a detection that is taken for an object of the map.
+Pseudorange pseudorange(const Camera& camera, const Detection& detection, const MapObject& taken_for);
 
 }  // namespace ridgeloc::sim

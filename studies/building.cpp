@@ -117,6 +117,9 @@ group = "method"
     std::vector<std::string> names = common_solver_settings();
     const solvers::SolverEntry* entry = solvers::find_solver(solver);
     if (entry != nullptr) names.insert(names.end(), entry->options.begin(), entry->options.end());
+    std::erase_if(names, [](const std::string& name) {
+      return std::ranges::find(building_settings(), name, &Setting::name) == building_settings().end();
+    });
     return names;
   }
 

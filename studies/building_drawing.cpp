@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studies/floor_drawing.hpp"
+
 namespace ridgeloc::studies {
 
 namespace {
@@ -14,30 +16,6 @@ using results::PlanMark;
 
 /// A start leads to the right place if it ends this near to it.
 constexpr double near_truth_m = 2.0;
-
-DrawnPoint at(const sim::PlanPoint& p) {
-  return {p[0], p[1]};
-}
-
-std::vector<DrawnPoint> corners(const sim::Rectangle& r) {
-  return {{r.x_m[0], r.y_m[0]}, {r.x_m[1], r.y_m[0]}, {r.x_m[1], r.y_m[1]}, {r.x_m[0], r.y_m[1]}};
-}
-
-/// The smallest window around places, widened by a margin and to a readable proportion.
-results::DrawingWindow window_around(const std::vector<DrawnPoint>& places) {
-  constexpr double margin_m = 1.5;
-  constexpr double smallest_m = 12.0;
-  constexpr double lowest = 0.35;  // height over width
-  constexpr double highest = 1.25;
-  auto [left, right] = std::ranges::minmax(places, {}, &DrawnPoint::x);
-  auto [bottom, top] = std::ranges::minmax(places, {}, &DrawnPoint::y);
-  double width = std::max(right.x - left.x + 2.0 * margin_m, smallest_m);
-  double height = std::max(top.y - bottom.y + 2.0 * margin_m, lowest * width);
-  width = std::max(width, height / highest);
-  const double x = 0.5 * (left.x + right.x);
-  const double y = 0.5 * (bottom.y + top.y);
-  return {{x - 0.5 * width, x + 0.5 * width}, {y - 0.5 * height, y + 0.5 * height}};
-}
 
 PlanMark tile_of(const sim::BuildingMap& map, const StartEnd& end, const std::array<double, 2>& truth) {
   if (end.status != core::Status::Converged) return PlanMark::LostTile;
@@ -50,7 +28,7 @@ class Painter {
  public:
   Painter(const BuildingCell& settings, const BuildingScratch& scratch)
       : settings_(settings), map_(*settings.photo.map), scratch_(scratch), truth_(scratch.photos[0].truth_m) {
-    for (const sim::MapObject& object : map_.objects) objects_.push_back({object.centre_m[0], object.centre_m[1]});
+    for (const sim::MapObject& object : map_.objects) objects_.push_back(drawn(object));
     for (const sim::Detection& d : scratch.photo.detections) detected_.push_back(objects_[d.object]);
   }
 
@@ -76,12 +54,12 @@ class Painter {
       add(PlanMark::Hollow, starts(method, [&](const StartEnd& end) { return !is_inside(end); }));
       std::vector<DrawnPoint> found;
       for (const StartEnd& end : method.ends) {
-        if (is_inside(end)) found.push_back(at(end.place_m));
+        if (is_inside(end)) found.push_back(drawn(end.place_m));
       }
       add(PlanMark::Cross, found);
       if (method.outcome.inside > 0) add(PlanMark::Mean, {{method.outcome.x_m, method.outcome.y_m}});
     }
-    add(PlanMark::Star, {at(truth_)});
+    add(PlanMark::Star, {drawn(truth_)});
     return panel;
   }
 
@@ -94,11 +72,11 @@ class Painter {
       return window_around(places);
     }
     places = detected_;
-    places.push_back(at(truth_));
-    for (const StartRecord& start : scratch_.starts) places.push_back(at(start.place_m));
+    places.push_back(drawn(truth_));
+    for (const StartRecord& start : scratch_.starts) places.push_back(drawn(start.place_m));
     for (const BuildingPanel& method : methods) {
       for (const StartEnd& end : method.ends) {
-        if (is_inside(end)) places.push_back(at(end.place_m));
+        if (is_inside(end)) places.push_back(drawn(end.place_m));
       }
     }
     return window_around(places);
@@ -113,7 +91,7 @@ class Painter {
   std::vector<DrawnPoint> starts(const BuildingPanel& method, F&& wanted) const {
     std::vector<DrawnPoint> places;
     for (std::size_t i = 0; i < method.ends.size(); ++i) {
-      if (wanted(method.ends[i])) places.push_back(at(scratch_.starts[i].place_m));
+      if (wanted(method.ends[i])) places.push_back(drawn(scratch_.starts[i].place_m));
     }
     return places;
   }
@@ -132,9 +110,7 @@ results::FloorPlan building_drawing(const BuildingCell& settings, const Building
                                     const std::vector<BuildingPanel>& panels) {
   const Painter painter(settings, scratch);
   results::FloorPlan plan;
-  for (const sim::Wall& wall : sim::all_walls(*settings.photo.map)) {
-    plan.outlines.push_back({at(wall.from_m), at(wall.to_m)});
-  }
+  plan.outlines = outlines(*settings.photo.map);
   plan.window = painter.window(panels);
   plan.tile = settings.start_spacing_m;
   for (const BuildingPanel& panel : panels) plan.panels.push_back(painter.panel(panel));

@@ -1,10 +1,12 @@
 #include "studies/building_replay.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "core/status.hpp"
 #include "studies/building_drawing.hpp"
+#include "studies/photo_tables.hpp"
 #include "studies/solver_settings.hpp"
 
 namespace ridgeloc::studies {
@@ -27,20 +29,11 @@ DataTable detections(const BuildingCell& settings, const sim::Photo& photo) {
   for (const sim::Detection& d : photo.detections) {
     const sim::MapObject& object = map.objects[d.object];
     const sim::View& view = *std::ranges::find(photo.views, d.object, &sim::View::object);
-    const double range = sim::pseudorange(settings.photo.options.camera, d.box, object.height_m * d.height_factor)
-                             .range_m(photo.image_distance_mm);
+    const double range = sim::pseudorange(settings.photo.options.camera, d, object).range_m(photo.image_distance_mm);
     table.add_row(object.name, map.classes[d.object_class].name, object.centre_m[0], object.centre_m[1],
                   object.centre_m[2], view.range_m, range, d.box.x_px, d.box.y_px, d.box.width_px, d.box.height_px,
                   view.box.height_px, settings.has_scores ? Field(d.score) : Field());
   }
-  return table;
-}
-
-DataTable camera(const sim::Photo& photo) {
-  DataTable table{"camera", {"x_m", "y_m", "z_m", "heading_deg", "image_distance_mm", "visible", "photos_taken"}, {}};
-  table.add_row(photo.pose.position_m[0], photo.pose.position_m[1], photo.pose.position_m[2],
-                360.0 * photo.pose.heading_turns, photo.image_distance_mm, number(photo.views.size()),
-                static_cast<std::int64_t>(photo.attempts));
   return table;
 }
 
@@ -89,7 +82,7 @@ Replay replay_building(std::uint64_t seed, const Cell& cell, std::span<const Met
   const sim::BuildingMap& map = *settings.photo.map;
   simulate_building(seed, cell, settings, {trial, 1}, scratch);
   Replay replay;
-  replay.scene = {camera(scratch.photo), detections(settings, scratch.photo), starts(map, scratch)};
+  replay.scene = {camera_table(scratch.photo), detections(settings, scratch.photo), starts(map, scratch)};
   std::vector<BuildingPanel> panels;
   for (const Method& method : methods) {
     locate(map, method, solver_options(cell.values, method.given), scratch);

@@ -51,6 +51,13 @@ Enum chosen(const Values& values, std::string_view name, const std::array<std::s
   return static_cast<Enum>(std::ranges::find(names, get<std::string>(values, name)) - names.begin());
 }
 
+/// Whether photos read a setting of solvers. K off by a given similarity is drawn by trial, of which a photo has none
+/// of its own for each start; and there is no metric of similarity.
+bool is_for_photos(const Setting& setting) {
+  constexpr std::array<std::string_view, 5> others = {"similarity", "k_error", "k_error_draw", "ktrue", "eta"};
+  return std::ranges::find(others, setting.name) == others.end();
+}
+
 std::vector<Setting> make_building_settings() {
   const solvers::CoarseOptions coarse;
   std::vector<Setting> settings = photo_settings();
@@ -85,6 +92,7 @@ std::vector<Setting> make_building_settings() {
   };
   settings.insert(settings.end(), own.begin(), own.end());
   for (Setting& setting : solver_settings()) {
+    if (!is_for_photos(setting)) continue;
     // Photos always give pseudoranges.
     if (setting.read_if.setting == "model") setting.read_if = {};
     settings.push_back(std::move(setting));

@@ -58,8 +58,7 @@ class Block {
     if (!taker_.take(trial, wanted, photo)) {
       throw core::InputError(
           fmt::format("photo.detections = {}: among {} photos of the map \"{}\" none has so many detections{}; ask for "
-                      "fewer, or give "
-                      "the map more objects",
+                      "fewer, or give the map more objects",
                       wanted, sim::PhotoTaker::most_attempts, map_.name,
                       settings_.photo.options.widest_spread_deg < 180.0 ? " within photo.widest_spread_deg" : ""));
     }
@@ -75,8 +74,8 @@ class Block {
 
  private:
   Observed observed(const sim::Detection& detection, std::size_t object) const {
-    const double height = map_.objects[object].height_m * detection.height_factor;
-    return {object, sim::pseudorange(settings_.photo.options.camera, detection.box, height), detection.score};
+    const sim::Camera& camera = settings_.photo.options.camera;
+    return {object, sim::pseudorange(camera, detection, map_.objects[object]), detection.score};
   }
 
   void record(const sim::Photo& photo) {

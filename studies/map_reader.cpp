@@ -115,12 +115,13 @@ class MapReader {
   }
 
   void read_areas() {
-    for (const Entry& entry : entries("area", {"name", "x_m", "y_m"})) {
+    const std::vector<Entry> areas = entries("area", {"name", "x_m", "y_m"});
+    for (const Entry& entry : areas) {
       const sim::Rectangle area = read_rectangle(entry);
-      for (const sim::Rectangle& other : map_.areas) {
-        if (!sim::overlap(area, other)) continue;
-        fail_at(entry.table(), fmt::format("{} overlaps area \"{}\"; let areas touch along a border instead",
-                                           entry.label(), other.name));
+      for (std::size_t i = 0; i < map_.areas.size(); ++i) {
+        if (!sim::overlap(area, map_.areas[i])) continue;
+        fail_at(entry.table(),
+                fmt::format("{} overlaps {}; let areas touch along a border instead", entry.label(), areas[i].label()));
       }
       map_.areas.push_back(area);
     }

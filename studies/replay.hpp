@@ -19,8 +19,8 @@ struct ReplayedMethod {
 
 /// One trial told in full.
 struct Replay {
-  std::vector<results::DataTable> scene;  ///< what was simulated
-  std::vector<ReplayedMethod> methods;    ///< in the order asked for
+  std::vector<results::DataTable> scene;                       ///< what was simulated
+  std::vector<ReplayedMethod> methods;                         ///< in the order asked for
   std::variant<results::Drawing, results::FloorPlan> drawing;  ///< without a title
 };
 

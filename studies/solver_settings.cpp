@@ -140,7 +140,12 @@ solvers::SolverOptions solver_options(const Values& cell, const Values& given) {
   solvers::SolverOptions options;
   for (const Option& option : all_options()) {
     const auto own = given.find(option.setting.name);
-    option.assign(options, own != given.end() ? own->second : cell.find(option.setting.name)->second);
+    const auto shared = cell.find(option.setting.name);
+    if (own != given.end()) {
+      option.assign(options, own->second);
+    } else if (shared != cell.end()) {
+      option.assign(options, shared->second);
+    }
   }
   // What is known of the height belongs to the scene, since the start has to have it.
   const auto& height = std::get<std::string>(cell.find("z_mode")->second);

@@ -15,7 +15,8 @@ std::vector<Setting> solver_settings();
 /// Those that every solver reads; `solvers::SolverEntry::options` names the others.
 const std::vector<std::string>& common_solver_settings();
 
-/// What a method's own settings, and where it has none the cell's, say about its solver.
+/// What a method's own settings, and where it has none the cell's, say about its solver; for settings that the
+/// experiment does not have the default.
 solvers::SolverOptions solver_options(const Values& cell, const Values& given);
 
 }  // namespace ridgeloc::studies

@@ -1,4 +1,4 @@
-#include "results/floor_plan.hpp"
+#include "results/floor_plan_script.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "results/gnuplot.hpp"
-#include "results/page_script.hpp"
 #include "results/picture_file.hpp"
 
 namespace ridgeloc::results {
@@ -175,7 +174,9 @@ std::string draw_page(const FloorPlan& plan, const Layout& layout, const Page& p
   return script + plot_command(elements) + "unset label\n";
 }
 
-std::string script_of(const FloorPlan& plan, FigureFormat format, const std::filesystem::path& output) {
+}  // namespace
+
+std::string floor_plan_script(const FloorPlan& plan, FigureFormat format, const std::filesystem::path& output) {
   const Layout layout = layout_of(plan);
   const Page page{page_width, layout.height};
   std::string script = fmt::format("set encoding utf8\nset terminal {} noenhanced\nset output {}\n$outlines << EOD\n",
@@ -189,12 +190,11 @@ std::string script_of(const FloorPlan& plan, FigureFormat format, const std::fil
   return script + "unset multiplot\nunset output\n";
 }
 
-}  // namespace
-
 void draw(const FloorPlan& plan, const std::filesystem::path& output) {
   if (plan.panels.empty()) throw std::invalid_argument("a floor plan without panels");
-  write_picture([&](FigureFormat format, const std::filesystem::path& file) { return script_of(plan, format, file); },
-                output);
+  write_picture(
+      [&](FigureFormat format, const std::filesystem::path& file) { return floor_plan_script(plan, format, file); },
+      output);
 }
 
 }  // namespace ridgeloc::results

@@ -1,0 +1,129 @@
+#include "sim/building_map.hpp"
+
+#include "catch.hpp"
+#include "tests/sim/hall.hpp"
+
+using namespace ridgeloc;
+using sim::PlanPoint;
+using tests::object_at;
+
+namespace {
+
+/// A corridor, a branch that touches it, and a room behind a wall of 0.2 m with a doorway.
+sim::BuildingMap floor() {
+  sim::BuildingMap map;
+  map.areas = {
+      {"corridor", {0.0, 10.0}, {0.0, 2.0}}, {"branch", {4.0, 6.0}, {2.0, 8.0}}, {"room", {7.0, 10.0}, {2.2, 5.0}}};
+  map.openings = {{"doorway", {8.0, 9.0}, {2.0, 2.2}}};
+  return map;
+}
+
+/// Whether two places see each other; both must agree.
+bool sees(const sim::BuildingMap& map, const PlanPoint& a, const PlanPoint& b) {
+  const bool there = map.sees(a, b);
+  CHECK(map.sees(b, a) == there);
+  return there;
+}
+
+}  // namespace
+
+TEST_CASE("one sees within an area and where areas touch, up to their corners") {
+  const sim::BuildingMap map = floor();
+  CHECK(sees(map, {1, 1}, {9, 0.5}));
+  CHECK(sees(map, {4.5, 1}, {5.5, 7}));
+  CHECK_FALSE(sees(map, {1, 1}, {5, 7}));
+  // Along the outer corner (4, 2), and a hundredth to either side of it.
+  CHECK(sees(map, {3, 1}, {5, 3}));
+  CHECK(sees(map, {3, 0.99}, {5, 2.99}));
+  CHECK_FALSE(sees(map, {3, 1.01}, {5, 3.01}));
+}
+
+TEST_CASE("one sees along a border, and a place sees itself") {
+  const sim::BuildingMap map = floor();
+  CHECK(sees(map, {0, 2}, {10, 2}));
+  CHECK(sees(map, {4, 0.5}, {4, 8}));
+  CHECK(sees(map, {1, 1}, {1, 1}));
+}
+
+TEST_CASE("what is neither area nor opening is wall") {
+  const sim::BuildingMap map = floor();
+  CHECK_FALSE(sees(map, {7.2, 1}, {7.2, 3}));
+  CHECK(sees(map, {8.5, 1}, {8.5, 4}));
+  CHECK(sees(map, {7.0, 1}, {9.5, 3}));
+  CHECK_FALSE(sees(map, {5, 1.9}, {9.9, 2.3}));
+  // Places outside see nothing.
+  CHECK_FALSE(sees(map, {5, 9}, {5, 7}));
+  CHECK_FALSE(sees(map, {5, 9}, {5, 9}));
+  sim::BuildingMap closed = map;
+  closed.openings.clear();
+  CHECK_FALSE(sees(closed, {8.5, 1}, {8.5, 4}));
+}
+
+TEST_CASE("rounding opens no gap between areas that touch") {
+  sim::BuildingMap map;
+  for (int i = 0; i < 20; ++i) map.areas.push_back({"strip", {0.1 * i, 0.1 * (i + 1)}, {0.0, 2.0}});
+  for (int i = 0; i < 50; ++i) {
+    const double y = 0.04 * i;
+    CHECK(sees(map, {0.05, 0.3}, {1.95, y}));
+    CHECK(sees(map, {0.0, y}, {2.0, 1.7}));
+  }
+}
+
+TEST_CASE("a wall within an area hides what is behind it") {
+  sim::BuildingMap map = floor();
+  map.walls = {{{3.0, 0.0}, {3.0, 1.5}}};
+  CHECK_FALSE(sees(map, {1, 1}, {5, 1}));
+  CHECK(sees(map, {1, 1.8}, {5, 1.8}));
+  CHECK(sees(map, {1, 1}, {2.9, 1}));
+  CHECK(sees(map, {3, 0.2}, {3, 1.9}));  // along it
+}
+
+TEST_CASE("what hangs on a wall is seen from both of its sides") {
+  sim::BuildingMap map = floor();
+  map.walls = {{{3.0, 0.0}, {3.0, 1.5}}};
+  CHECK(sees(map, {1, 1}, {3, 1}));
+  CHECK(sees(map, {5, 1}, {3, 1}));
+}
+
+TEST_CASE("nothing shows between walls that meet") {
+  sim::BuildingMap map = floor();
+  map.walls = {{{3.0, 0.0}, {3.0, 1.0}}, {{3.0, 1.0}, {3.0, 2.0}}};
+  CHECK_FALSE(sees(map, {1, 1}, {5, 1}));
+  CHECK_FALSE(sees(map, {2, 0.5}, {4, 1.5}));
+}
+
+TEST_CASE("inside is what areas hold, borders included; a doorway is not") {
+  const sim::BuildingMap map = floor();
+  CHECK(map.is_inside({0, 0}));
+  CHECK(map.is_inside({10, 2}));
+  CHECK(map.is_inside({5, 7.9}));
+  CHECK_FALSE(map.is_inside({8.5, 2.1}));
+  CHECK_FALSE(map.is_inside({-0.001, 1}));
+  CHECK_FALSE(map.is_inside({3, 2.001}));
+}
+
+TEST_CASE("rectangles overlap where their insides meet") {
+  const sim::Rectangle a{"a", {0.0, 2.0}, {0.0, 2.0}};
+  const auto meets = [&](double x, double y) {
+    const sim::Rectangle b{"b", {x, x + 1.0}, {y, y + 1.0}};
+    CHECK(overlap(b, a) == overlap(a, b));
+    return overlap(a, b);
+  };
+  CHECK(meets(0.5, 0.5));
+  CHECK(meets(1.9, -0.9));
+  CHECK_FALSE(meets(2.0, 0.5));  // a common border
+  CHECK_FALSE(meets(0.5, -1.0));
+  CHECK_FALSE(meets(2.0, 2.0));  // a common corner
+  CHECK_FALSE(meets(3.0, 0.5));
+}
+
+TEST_CASE("objects overlap where both their widths and their heights meet") {
+  const sim::MapObject table = object_at(0, 0, 0.4, 1.2, 0.8);
+  const auto meets = [&](double x, double y, double z) { return overlap(table, object_at(x, y, z, 0.4, 0.4)); };
+  CHECK(meets(0.5, 0.5, 0.5));
+  CHECK(meets(0.0, 0.79, 0.4));
+  CHECK_FALSE(meets(0.0, 0.81, 0.4));
+  CHECK_FALSE(meets(0.6, 0.6, 0.4));   // 0.85 m away
+  CHECK_FALSE(meets(0.0, 0.0, 1.01));  // a clock above the table
+  CHECK(meets(0.0, 0.0, 0.99));
+}
