@@ -60,8 +60,8 @@ TEST_CASE("a floor plan has one panel per method, in one window") {
   CHECK(count(text, "'y [m]'") == 2);  // beside either row
 }
 
-TEST_CASE("outlines are closed") {
-  CHECK(contains(script(), "$outlines << EOD\n0 0\n10 0\n10 5\n0 5\n0 0\n\n3 0\n3 2\n3 0\n\nEOD\n"));
+TEST_CASE("outlines are lines of their own") {
+  CHECK(contains(script(), "$outlines << EOD\n0 0\n10 0\n10 5\n0 5\n\n3 0\n3 2\n\nEOD\n"));
 }
 
 TEST_CASE("places are marked, tiles are squares of their side and lie below everything") {

@@ -1,5 +1,7 @@
 #include "sim/building_map.hpp"
 
+#include <algorithm>
+
 #include "catch.hpp"
 #include "tests/sim/hall.hpp"
 
@@ -126,4 +128,29 @@ TEST_CASE("objects overlap where both their widths and their heights meet") {
   CHECK_FALSE(meets(0.6, 0.6, 0.4));   // 0.85 m away
   CHECK_FALSE(meets(0.0, 0.0, 1.01));  // a clock above the table
   CHECK(meets(0.0, 0.0, 0.99));
+}
+
+TEST_CASE("walls are the borders that touch nothing, and the map's own") {
+  sim::BuildingMap map;
+  map.areas = {{"left", {0, 4}, {0, 2}}, {"right", {4, 6}, {1, 2}}, {"above", {0, 4}, {3, 5}}};
+  map.openings = {{"door", {1, 2}, {2, 3}}};
+  map.walls = {{{1, 1}, {2, 1}}};
+  const std::vector<sim::Wall> walls = sim::all_walls(map);
+  const auto has = [&](const sim::Wall& wall) { return std::ranges::find(walls, wall) != walls.end(); };
+  CHECK(has({{1, 1}, {2, 1}}));
+  CHECK(has({{0, 0}, {4, 0}}));
+  CHECK(has({{0, 2}, {1, 2}}));  // beside the door
+  CHECK(has({{2, 2}, {4, 2}}));
+  CHECK(has({{4, 0}, {4, 1}}));  // below the opening to the right
+  CHECK_FALSE(has({{4, 0}, {4, 2}}));
+  CHECK(has({{1, 2}, {1, 3}}));  // sides of the door
+  CHECK(has({{2, 2}, {2, 3}}));
+  // 1 of its own; left 1 + 2 + 1 + 1, right 3, above 2 + 1 + 2, door 2.
+  CHECK(walls.size() == 1 + 5 + 3 + 5 + 2);
+  for (const sim::Wall& wall : walls) {
+    const PlanPoint middle{0.5 * (wall.from_m[0] + wall.to_m[0]), 0.5 * (wall.from_m[1] + wall.to_m[1])};
+    const double dx = wall.to_m[1] - wall.from_m[1];
+    const double dy = wall.from_m[0] - wall.to_m[0];
+    CHECK_FALSE(map.sees({middle[0] - 0.1 * dx, middle[1] - 0.1 * dy}, {middle[0] + 0.1 * dx, middle[1] + 0.1 * dy}));
+  }
 }
