@@ -25,7 +25,7 @@ template <class Real, std::size_t P, std::size_t MemorySize>
 struct IterationState {
   core::Vector<Real, P> u;
   Real iterations{0.0};
-  Real status{static_cast<double>(core::Status::MaxIterations)};
+  Real status{static_cast<double>(core::Status::IterationLimit)};
   Real eta_first{std::numeric_limits<double>::quiet_NaN()};
   Real eta_last{std::numeric_limits<double>::quiet_NaN()};
   Real eta_sum{std::numeric_limits<double>::quiet_NaN()};

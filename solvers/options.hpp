@@ -134,7 +134,7 @@ inline constexpr std::array<std::string_view, 2> k_error_draw_names = {"per_iter
 
 /// Settings of every solver, equal for all trials of a batch. A solver reads those that concern it.
 struct SolverOptions {
-  int max_iterations = 30;         ///< steps, the last one included; more is "max_iterations"
+  int max_iterations = 30;         ///< steps, the last one included; more is "iteration_limit"
   double step_tolerance_m = 0.05;  ///< stop when the position moves less than this
   Start start = Start::Given;
   ScorePower score_power = ScorePower::Printed;

@@ -112,12 +112,12 @@ TEST_CASE("pseudoranges that have no root of v leave the domain") {
   }
 }
 
-TEST_CASE("no steps allowed is max_iterations, at the start") {
+TEST_CASE("no steps allowed is the iteration limit, at the start") {
   solvers::SolverOptions options;
   options.max_iterations = 0;
   for (const char* solver : all) {
     const auto s = solve(solver, problem(good, near, {0.1, 0.2, 0.3}), options);
-    CHECK(status(s) == core::Status::MaxIterations);
+    CHECK(status(s) == core::Status::IterationLimit);
     CHECK(estimate(s) == Point{0.1, 0.2, 0.3});
   }
 }

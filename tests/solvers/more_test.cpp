@@ -144,7 +144,7 @@ void follow(const Sample& sample, const solvers::SolverOptions& how, Seen& seen)
     options.step_tolerance_m = 1e-15;
     const auto s = solve("lm", problems, options);
     CAPTURE(count, accepted);
-    CHECK(status(s) == core::Status::MaxIterations);
+    CHECK(status(s) == core::Status::IterationLimit);
     CHECK(distance(estimate(s), model.position(lmder.x())) < 1e-9);
     if (!accepted) CHECK(distance(estimate(s), model.position(before)) < 1e-9);
     ++seen.passes;

@@ -93,7 +93,7 @@ Deviation compare(const std::vector<Sample>& all, std::string_view k, const solv
                          (condition(problem.rows) * shortness / gap + cancellation) *
                          (1.0 + static_cast<double>(model.move(problem.step)));
     d.largest_ratio = std::max(d.largest_ratio, distance(estimate(solutions, t), expected) / bound);
-    d.wrong_status += status(solutions, t) == core::Status::MaxIterations ? 0 : 1;
+    d.wrong_status += status(solutions, t) == core::Status::IterationLimit ? 0 : 1;
     ++d.compared;
   }
   return d;

@@ -191,7 +191,7 @@ TEST_CASE("no input brings a solver down or makes it converge to what is not a n
       check(images, method, name_of(model));
     }
   }
-  std::printf("hostile problems: %zu converged, %zu max_iterations, %zu singular, %zu non_finite, %zu left_domain\n",
+  std::printf("hostile problems: %zu converged, %zu iteration_limit, %zu singular, %zu non_finite, %zu left_domain\n",
               total[0], total[1], total[2], total[3], total[4]);
   for (const std::size_t count : total) CHECK(count > 100);
 }

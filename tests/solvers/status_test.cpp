@@ -82,7 +82,7 @@ TEST_CASE("an estimate that runs away has left the domain") {
 
 TEST_CASE("the iteration limit is a status") {
   const auto s = solve("ols", axes_problem(0.1, -0.2, 0.3), steps(2));
-  CHECK(status(s) == core::Status::MaxIterations);
+  CHECK(status(s) == core::Status::IterationLimit);
   CHECK(s.iterations[0] == 2.0);
 }
 

@@ -10,7 +10,7 @@ TEST_CASE("ols takes the Gauss-Newton step") {
   // J = -I, e = (0.1, -0.2, 0.3): dx = J'e = (-0.1, 0.2, -0.3), x = -dx.
   const auto s = solve("ols", axes_problem(0.1, -0.2, 0.3), steps(1));
   CHECK(distance(estimate(s), {0.1, -0.2, 0.3}) < 1e-15);
-  CHECK(status(s) == core::Status::MaxIterations);
+  CHECK(status(s) == core::Status::IterationLimit);
   CHECK(s.iterations[0] == 1.0);
 }
 

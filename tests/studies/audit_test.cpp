@@ -163,7 +163,7 @@ TEST_CASE("an audited trial says what it should, worked out trial by trial") {
     CHECK(columns[RefSameBasin][0] == 1.0);  // Ceres goes back to the same minimum
   }
   SECTION("a failed trial has no gap, but a reference") {
-    s.solutions.status[t] = static_cast<std::uint8_t>(core::Status::MaxIterations);
+    s.solutions.status[t] = static_cast<std::uint8_t>(core::Status::IterationLimit);
     columns = s.columns({t});
     CHECK(columns[RefConverged][0] == 1.0);
     CHECK(columns[RefTruthBasin][0] == columns[RefTruthBasin][0]);

@@ -197,7 +197,7 @@ solver = "ols"
   const results::Statistics& ols = rows[0].statistics;
   const std::uint64_t converged = ols.events[0];
   for (const auto status :
-       {core::Status::Converged, core::Status::MaxIterations, core::Status::Singular, core::Status::LeftDomain}) {
+       {core::Status::Converged, core::Status::IterationLimit, core::Status::Singular, core::Status::LeftDomain}) {
     CHECK(ols.events[static_cast<std::size_t>(status)] > 0);
   }
   CHECK(ols.metrics[0].moments.n + ols.metrics[0].beyond == converged);  // error_m: the converged
