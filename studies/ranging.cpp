@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/problem.hpp"
 #include "core/solution.hpp"
 #include "sim/field_of_view.hpp"
 #include "solvers/solver.hpp"
@@ -47,7 +48,7 @@ results::Schema make_schema() {
       {"eta_last", "1", "similarity of K to the true K at the last iteration", false},
       {"eta_mean", "1", "similarity of K to the true K averaged over the iterations", false},
       {"residual_rms_m", "m", "root mean square residual of converged trials", false},
-      {"crb_m", "m", "Cramer-Rao bound of the position error", true},
+      {"crb_m", "m", "Cramer-Rao bound of unbiased position estimates", true},
       {"gdop", "1", "geometric dilution of precision", true},
       {"condition", "1", "condition number of J'J at the truth", true},
       {"squared_error_m2", "m2", "squared position error of all trials", true},
@@ -55,6 +56,7 @@ results::Schema make_schema() {
   };
   for (const Metric compared : {ErrorM, ErrorAllM, SquaredErrorM2, Iterations})
     schema.metrics[compared].is_compared = true;
+  for (const Metric bounded : {ErrorM, ErrorAllM}) schema.metrics[bounded].bound = schema.metrics[CrbM].name;
   for (results::MetricInfo& metric : studies::audit_metrics()) schema.metrics.push_back(std::move(metric));
   for (const std::string_view status : core::status_names) {
     const bool is_failure = status != core::status_names[static_cast<std::size_t>(core::Status::Converged)];
@@ -93,6 +95,28 @@ class Ranging : public Experiment {
           "scene.model = \"pseudorange\" needs points before the camera: "
           "scene.azimuth_deg and scene.elevation_deg within -90 to 90, ends excluded");
     }
+  }
+
+  /// The bound is that of normal noise of one level. Over random scenes the mean of its square is finite from two
+  /// observations more than unknowns on.
+  results::BoundKind bound(const Values& cell) const override {
+    const RangingCell settings(cell);
+    if (settings.noise->name != "normal" || settings.has_scores) return results::BoundKind::None;
+    const solvers::SolverOptions options = solver_options(cell, {});
+    const bool knows_height = settings.has_images && options.z_mode == solvers::ZMode::Fixed;
+    const bool seeks_distance = settings.has_images && options.v_mode != solvers::VMode::Fixed;
+    const bool has_prior = settings.has_images && options.v_mode == solvers::VMode::Prior;
+    const std::size_t unknowns = core::position_parameters - (knows_height ? 1 : 0) + (seeks_distance ? 1 : 0);
+    const std::size_t observations = settings.points + (has_prior ? 1 : 0);
+    return observations >= unknowns + 2 ? results::BoundKind::RootMeanSquare : results::BoundKind::Quantiles;
+  }
+
+  /// Iterations times observations.
+  double cost(const Values& cell, const results::Statistics& statistics) const override {
+    if (statistics.metrics.empty()) return 0.0;
+    const results::Moments& iterations = statistics.metrics[Iterations].moments;
+    return iterations.mean * static_cast<double>(iterations.n) *
+           static_cast<double>(std::get<std::int64_t>(cell.at("points")));
   }
 
   std::size_t audit_metrics() const override { return audit_metric_count; }
