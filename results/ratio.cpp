@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "results/interval.hpp"
@@ -14,6 +15,12 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 double squared_error(const Moments& moments) {
   const double error = mean_standard_error(moments);
   return error * error;
+}
+
+/// The largest sum of squared deviations that all values but some can have.
+double most_of_others(const MetricStatistics& metric, std::uint64_t some) {
+  const double deviation = std::max(metric.max - metric.moments.mean, metric.moments.mean - metric.min);
+  return static_cast<double>(metric.moments.n - some) * deviation * deviation;
 }
 
 }  // namespace
@@ -30,9 +37,19 @@ Estimate ratio_of_means(const Moments& a, const Moments& b, double covariance) {
   return {ratio, error, ratio / factor, ratio * factor};
 }
 
-double covariance_of_means(const Moments& a, const Moments& b, const Moments& difference) {
-  if (a.n != b.n || a.n != difference.n || a.n < 2) return 0.0;
-  return 0.5 * (squared_error(a) + squared_error(b) - squared_error(difference));
+double covariance_of_means(const MetricStatistics& a, const MetricStatistics& b, const MetricStatistics& difference) {
+  const Moments& x = a.moments;
+  const Moments& y = b.moments;
+  const Moments& d = difference.moments;
+  if (a.beyond > 0 || b.beyond > 0 || x.n < 2 || y.n < 2 || d.n > std::min(x.n, y.n)) return 0.0;
+  const double shift = d.mean - (x.mean - y.mean);
+  const double squares = d.m2 + static_cast<double>(d.n) * shift * shift;
+  const double alone = most_of_others(a, d.n) + most_of_others(b, d.n);
+  const double products = 0.5 * (x.m2 + y.m2 - squares - alone);
+  const double n = static_cast<double>(x.n) * static_cast<double>(y.n);
+  const double freedom = static_cast<double>(x.n - 1) * static_cast<double>(y.n - 1);
+  const double covariance = products / std::sqrt(n * freedom);
+  return alone > 0.0 ? std::max(covariance, 0.0) : covariance;
 }
 
 bool is_ratio_linear(const Moments& below) {

@@ -128,7 +128,7 @@ SummaryRow ratio_row(const Summary& summary, std::size_t cell, std::size_t metho
   if (row.n == 0) return row;
   const Moments& a = above.moments;
   const Moments& b = below.moments;
-  const Estimate ratio = ratio_of_means(a, b, covariance_of_means(a, b, statistics_of_method(difference).moments));
+  const Estimate ratio = ratio_of_means(a, b, covariance_of_means(above, below, statistics_of_method(difference)));
   row.mean = ratio.value;
   row.mcse = ratio.error;
   row.lo = ratio.lo;

@@ -138,10 +138,10 @@ TEST_CASE("coverage of rates near 0 and 1") {
 
 namespace {
 
-/// The moments of two methods on common trials and of their difference: the errors are those of a population, the
+/// Two methods on common trials and their difference: the errors are those of a population, the
 /// second method adds some of its own, with a mean of 0.03.
 struct Pair {
-  Moments first, second, difference;
+  MetricStatistics first, second, difference;
 };
 Pair draw_pair(const Population& population, double mean, std::mt19937_64& engine) {
   const std::vector<double> common = population.draw(engine, mean);
@@ -151,7 +151,7 @@ Pair draw_pair(const Population& population, double mean, std::mt19937_64& engin
     second.push_back(common[t] + 0.3 * own[t]);
     difference.push_back(0.3 * own[t]);
   }
-  return {moments_of(common), moments_of(second), moments_of(difference)};
+  return {statistics_of(common), statistics_of(second), statistics_of(difference)};
 }
 
 }  // namespace
@@ -163,15 +163,17 @@ TEST_CASE("coverage of a paired difference") {
     report(std::string("paired difference, ") + population.name,
            coverage(0.03,
                     [&](auto& engine) {
-                      const Interval interval = mean_interval(draw_pair(population, 0.0, engine).difference);
+                      const Interval interval = mean_interval(draw_pair(population, 0.0, engine).difference.moments);
                       width += interval.hi - interval.lo;
                       return interval;
                     }),
            coverage(0.03, [&](auto& engine) {
              const Pair pair = draw_pair(population, 0.0, engine);
-             const double half = z * std::hypot(mean_standard_error(pair.first), mean_standard_error(pair.second));
+             const Moments& first = pair.first.moments;
+             const Moments& second = pair.second.moments;
+             const double half = z * std::hypot(mean_standard_error(first), mean_standard_error(second));
              unpaired_width += 2.0 * half;
-             return around(pair.second.mean - pair.first.mean, half);
+             return around(second.mean - first.mean, half);
            }));
     UNSCOPED_INFO("widths unpaired to paired: " << unpaired_width / width);
     CHECK(unpaired_width > 3.0 * width);
@@ -181,7 +183,7 @@ TEST_CASE("coverage of a paired difference") {
 TEST_CASE("coverage of a ratio of means on common trials") {
   for (const Population& population : {light, heavy}) {
     const auto ratio = [&](const Pair& pair, double covariance) {
-      const Estimate estimate = ratio_of_means(pair.second, pair.first, covariance);
+      const Estimate estimate = ratio_of_means(pair.second.moments, pair.first.moments, covariance);
       return Interval{estimate.lo, estimate.hi};
     };
     report(std::string("ratio, ") + population.name,
