@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "results/interval.hpp"
+
 namespace ridgeloc::results {
 namespace {
 
@@ -48,6 +50,7 @@ std::size_t FigureBounds::bound_of(const std::string& metric) const {
 
 void FigureBounds::add(const SummaryRow& row, Place place) {
   if (!is_wanted_ || !is_solver(summary_.header.methods[row.method])) return;
+  add_expectation(row, place);
   BoundKind kind = summary_.header.cells[row.cell].bound;
   const auto& metrics = summary_.header.schema.metrics;
   const std::size_t metric = bound_of(row.metric);
@@ -65,6 +68,19 @@ void FigureBounds::add(const SummaryRow& row, Place place) {
                                 : FigurePoint{place.x, bound->p50, bound->p25, bound->p75};
 }
 
+void FigureBounds::add_expectation(const SummaryRow& row, const Place& place) {
+  const auto& metrics = summary_.header.schema.metrics;
+  const auto info = std::ranges::find(metrics, row.metric, &MetricInfo::name);
+  if (info == metrics.end() || info->chi_square == 0 || row.n == 0) return;
+  if (names_.y[place.metric].statistic != FigureNames::Statistic::Mean) return;
+  const Interval range = chi_square_mean_range(row.n, info->chi_square);
+  const FigurePoint point{place.x, static_cast<double>(info->chi_square), range.lo, range.hi};
+  const auto metric = static_cast<std::size_t>(info - metrics.begin());
+  auto& points = lines_[{place.panel, {}, metric, BoundKind::None}].points;
+  const auto entry = points.try_emplace(place.x, point).first;
+  if (range.hi - range.lo > entry->second.hi - entry->second.lo) entry->second = point;
+}
+
 void FigureBounds::finish(FigureData& data) const {
   std::map<std::size_t, std::size_t> bands;  // by panel
   for (const auto& [key, line] : lines_) bands[key.panel] += key.kind == BoundKind::Quantiles ? 1 : 0;
@@ -80,17 +96,24 @@ void FigureBounds::finish(FigureData& data) const {
     // The one group there is has no entry in the legend that would explain its colour.
     if (line.groups.size() == 1 && data.groups.size() > 1) bound.group = *line.groups.begin();
     const std::string of = bound.group || line.label.empty() ? "" : fmt::format(" ({})", line.label);
-    const std::string text = fmt::format("bound, {}{}", statistic_text(key.kind, has_bands), of);
+    const bool is_bound = key.kind != BoundKind::None;
+    const std::string text = is_bound ? fmt::format("bound, {}{}", statistic_text(key.kind, has_bands), of)
+                                      : "expected, with 95 % of the means";
     const auto [entry, is_new] = entries.try_emplace(text, data.bounds.size());
     if (is_new) data.bounds.push_back(text);
     bound.entry = entry->second;
-    bound.has_band = has_bands && key.kind == BoundKind::Quantiles;
+    bound.has_band = !is_bound || (has_bands && key.kind == BoundKind::Quantiles);
     for (const auto& [x, point] : line.points) bound.points.push_back(point);
     data.panels[key.panel].bounds.push_back(std::move(bound));
   }
   for (const std::size_t metric : drawn) {
-    const std::string& text = metrics[metric].description.empty() ? metrics[metric].name : metrics[metric].description;
-    data.footnote += fmt::format("; bound, of root mean squares: {}", text);
+    const MetricInfo& info = metrics[metric];
+    if (info.chi_square > 0) {
+      data.footnote += fmt::format("; expected: chi-square with {} degrees of freedom", info.chi_square);
+      continue;
+    }
+    data.footnote +=
+        fmt::format("; bound, of root mean squares: {}", info.description.empty() ? info.name : info.description);
   }
 }
 

@@ -13,7 +13,9 @@
 
 namespace ridgeloc::results {
 
-/// Collects what bounds the points of a curve figure from below (`MetricInfo::bound`), and makes lines of it.
+/// Collects what bounds the points of a curve figure from below (`MetricInfo::bound`), and makes lines of it. For means
+/// of what is chi-square in theory (`MetricInfo::chi_square`) it is the expected value with the band in which 95 % of
+/// the means would lie, of the fewest values where points at one x have different numbers of them.
 ///
 /// Where the figure shows root mean squares and the mean square of the bound is finite (`BoundKind`), that is the root
 /// mean square of the bound; elsewhere its median, with its quartiles as a band if no panel has more than three of
@@ -53,6 +55,8 @@ class FigureBounds {
     BoundKind kind;
     auto operator<=>(const Key&) const = default;
   };
+
+  void add_expectation(const SummaryRow& row, const Place& place);
 
   /// The metric that bounds another one, as an index into the schema; the number of metrics where it has none.
   std::size_t bound_of(const std::string& metric) const;

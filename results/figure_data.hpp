@@ -24,7 +24,7 @@ struct FigureLine {
   std::vector<FigurePoint> points;
 };
 
-/// What bounds points from below; a line without marks, in order of x.
+/// What points are to be seen against, a bound or what is expected of them: a line without marks, in order of x.
 struct FigureBound {
   std::size_t entry = 0;                  ///< index into `FigureData::bounds`
   std::optional<std::size_t> group = {};  ///< whose colour it has; none where it belongs to several

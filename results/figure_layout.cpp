@@ -98,14 +98,18 @@ FigureRange y_range(const FigureData& data) {
   return {range.low / factor, range.high * factor};
 }
 
+std::size_t digits_of(const std::string& number) {
+  return number.size() - static_cast<std::size_t>(std::ranges::count(number, '.'));
+}
+
 /// For the labels of the vertical axis and its ticks; small shares on a logarithmic one are long.
 double label_width(const FigureData& data, const FigureRange& range) {
-  constexpr std::size_t usual = 5;  // "0.001", "-0.25"
+  constexpr std::size_t usual = 4;  // digits of "0.001", but for the narrow point
   constexpr double wide_digit = 2.0;
   std::size_t longest = usual;
   if (data.log_y) {
     for (int power = static_cast<int>(std::ceil(std::log10(range.low))); std::pow(10.0, power) <= range.high; ++power)
-      longest = std::max(longest, fmt::format("{:g}", std::stod(fmt::format("1e{}", power))).size());
+      longest = std::max(longest, digits_of(fmt::format("{:g}", std::stod(fmt::format("1e{}", power)))));
   }
   return 11.0 + wide_digit * static_cast<double>(longest - usual);
 }

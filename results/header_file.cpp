@@ -156,6 +156,9 @@ void write_schema(hdf5::File& file, const Header& header) {
   }
   write_column(file, "/metrics/alarm", header.schema.metrics, &MetricInfo::alarm);
   write_column(file, "/metrics/bound", header.schema.metrics, &MetricInfo::bound);
+  std::vector<std::uint64_t> freedoms;
+  for (const MetricInfo& metric : header.schema.metrics) freedoms.push_back(metric.chi_square);
+  file.write("/metrics/chi_square", freedoms);
   file.create_group("/events");
   write_column(file, "/events/name", header.schema.events, &EventInfo::name);
   write_column(file, "/events/description", header.schema.events, &EventInfo::description);
@@ -190,6 +193,11 @@ void read_schema(const hdf5::File& file, Header& header) {
   }
   if (file.contains("/metrics/alarm")) read_column(file, "/metrics/alarm", header.schema.metrics, &MetricInfo::alarm);
   if (file.contains("/metrics/bound")) read_column(file, "/metrics/bound", header.schema.metrics, &MetricInfo::bound);
+  if (file.contains("/metrics/chi_square")) {  // since version 1.4
+    const auto freedoms = file.read<std::uint64_t>("/metrics/chi_square");
+    require(freedoms.size() == header.schema.metrics.size(), file, "the datasets of /metrics differ in length");
+    for (std::size_t m = 0; m < freedoms.size(); ++m) header.schema.metrics[m].chi_square = freedoms[m];
+  }
   read_column(file, "/events/name", header.schema.events, &EventInfo::name);
   read_column(file, "/events/description", header.schema.events, &EventInfo::description);
   if (file.contains("/events/failure")) {  // since version 1.2

@@ -66,6 +66,8 @@ struct MetricInfo {
   /// The metric that bounds the root mean square of this one from below for unbiased estimates, trial by trial, in
   /// the same unit; empty: none.
   std::string bound = {};
+  /// Degrees of freedom of the chi-square distribution that the values have if the theory behind them holds; 0: none.
+  std::uint64_t chi_square = 0;
 };
 
 /// A yes-or-no outcome per trial and method; its rate is reported.

@@ -126,8 +126,8 @@ TEST_CASE("audit solves failed trials again and changes nothing") {
 TEST_CASE("export writes the long form, a row per cell, method and metric") {
   const WithResult folder;
   const auto lines = lines_of(folder.ridgeloc("export result.h5 --csv").out);
-  // 4 cells; rrr: 9 metrics, 6 of the audit and 6 events, lm: 6 (no K), 6 and 6, scene: 3, lm - rrr: 4, lm / rrr: 4.
-  REQUIRE(lines.size() == 1 + 4 * (21 + 18 + 3 + 4 + 4));
+  // 4 cells; rrr: 9 metrics, 6 of the audit and 6 events, lm: 7 (no K, but nees), 6 and 6, scene: 3, lm - rrr: 4, lm / rrr: 4.
+  REQUIRE(lines.size() == 1 + 4 * (21 + 19 + 3 + 4 + 4));
   CHECK(lines[0].starts_with(
       "points,range_sigma_m,method,metric,unit,n,mean,mcse,sd,min,p05,p25,p50,p75,p95,max,lo,hi,trusted"));
   CHECK(lines[1].starts_with("3,0.1,rrr,error_m,m,"));
@@ -142,7 +142,7 @@ TEST_CASE("export writes a row per trial with every metric") {
   CHECK(lines[0] ==
         "points,range_sigma_m,trial,method,status,error_m,error_all_m,iterations,eta_first,eta_last,eta_mean,"
         "residual_rms_m,crb_m,gdop,condition,squared_error_m2,error_x_m,ref_gap_m,ref_objective_gap,ref_converged,"
-        "ref_same_basin,ref_truth_basin,ref_disagrees");
+        "ref_same_basin,ref_truth_basin,ref_disagrees,nees");
   CHECK(lines[1].starts_with("3,0.1,0,rrr,"));
   CHECK(lines[40].starts_with("3,0.1,39,rrr,"));
   CHECK(lines[41].starts_with("3,0.1,0,lm,"));

@@ -10,6 +10,7 @@
 #include "catch.hpp"
 #include "results/figure.hpp"
 #include "results/figure_data.hpp"
+#include "results/interval.hpp"
 #include "results/sample_study.hpp"
 #include "results/synthetic_summary.hpp"
 
@@ -148,6 +149,27 @@ TEST_CASE("more than three bands in a panel become lines") {
   const FigureData data = figure_data(summary, error_figure());
   CHECK(data.bounds == std::vector<std::string>{"bound, median"});
   for (const FigureBound& bound : data.panels[0].bounds) CHECK_FALSE(bound.has_band);
+}
+
+TEST_CASE("means of what is chi-square in theory have the expected value and its band, that of the fewest values") {
+  Summary summary = bounded_summary();
+  summary.header.schema.metrics[0].chi_square = 3;
+  for (CellInfo& cell : summary.header.cells) cell.bound = BoundKind::None;
+  summary.statistics[0].metrics[0] = statistics_of(std::vector{1.0, 2.0});
+  FigureSpec spec = error_figure();
+  const FigureData data = figure_data(summary, spec);
+  CHECK(data.bounds == std::vector<std::string>{"expected, with 95 % of the means"});
+  REQUIRE(data.panels[0].bounds.size() == 1);
+  const FigureBound& bound = data.panels[0].bounds[0];
+  CHECK_FALSE(bound.group);
+  CHECK(bound.has_band);
+  REQUIRE(bound.points.size() == 2);
+  CHECK(bound.points[0].y == 3.0);
+  CHECK(bound.points[0].hi == chi_square_mean_range(2, 3).hi);
+  CHECK(bound.points[1].lo == chi_square_mean_range(4, 3).lo);
+  CHECK(data.footnote.find("; expected: chi-square with 3 degrees of freedom") != std::string::npos);
+  spec.statistic = "median";
+  CHECK(figure_data(summary, spec).bounds.empty());
 }
 
 TEST_CASE("what all cells of a figure share stands under its title") {
