@@ -126,7 +126,8 @@ TEST_CASE("audit solves failed trials again and changes nothing") {
 TEST_CASE("export writes the long form, a row per cell, method and metric") {
   const WithResult folder;
   const auto lines = lines_of(folder.ridgeloc("export result.h5 --csv").out);
-  // 4 cells; rrr: 9 metrics, 6 of the audit and 6 events, lm: 7 (no K, but nees), 6 and 6, scene: 3, lm - rrr: 4, lm / rrr: 4.
+  // 4 cells; rrr: 9 metrics, 6 of the audit and 6 events, lm: 7 (no K, but nees), 6 and 6, scene: 3, lm - rrr: 4, lm /
+  // rrr: 4.
   REQUIRE(lines.size() == 1 + 4 * (21 + 19 + 3 + 4 + 4));
   CHECK(lines[0].starts_with(
       "points,range_sigma_m,method,metric,unit,n,mean,mcse,sd,min,p05,p25,p50,p75,p95,max,lo,hi,trusted"));
