@@ -10,6 +10,7 @@
 #include "app/result_probe.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
+#include "results/cell_comparison.hpp"
 #include "results/csv.hpp"
 #include "results/latex.hpp"
 #include "results/result_file.hpp"
@@ -47,6 +48,19 @@ void export_latex(const ExportOptions& options) {
   write_output(options.output, [&](std::ostream& out) { out << text; });
 }
 
+void export_cell_comparisons(const ExportOptions& options) {
+  const results::Summary summary = read_probed(options.result, [&] {
+    results::data_digest(options.result);  // throws unless every value is as it was written
+    return results::read_result(options.result);
+  });
+  const results::AxisValue base = results::axis_value(summary.header, options.against);
+  const auto comparisons = results::compare_cells(summary, base, [&](std::size_t cell, std::size_t method) {
+    return results::read_trials(options.result, cell, method);
+  });
+  write_output(options.output,
+               [&](std::ostream& out) { results::write_cell_comparisons_csv(summary.header, comparisons, out); });
+}
+
 }  // namespace
 
 int export_result(const ExportOptions& options) {
@@ -68,6 +82,10 @@ int export_result(const ExportOptions& options) {
   }
   if (options.latex) {
     export_latex(options);
+    return Success;
+  }
+  if (!options.against.empty()) {
+    export_cell_comparisons(options);
     return Success;
   }
   if (!options.trials) {

@@ -123,6 +123,14 @@ void add_export_options(CLI::App& verb, ExportOptions& options) {
   add_names(verb, "--metric", options.metrics,
             "metric or event of a LaTeX table; may be repeated (default: those of the study's figures)")
       ->needs(latex);
+  verb.add_option("--against", options.against,
+                  "differences and ratios of each cell to the one with this value of an axis, a row per method and "
+                  "metric, for example points=3")
+      ->type_name("AXIS=VALUE")
+      ->excludes(trials)
+      ->excludes(failures)
+      ->excludes(study)
+      ->excludes(latex);
   verb.add_option("-o", options.output, "file to write")->type_name("FILE");
 }
 
@@ -133,6 +141,7 @@ void add_plot_options(CLI::App& verb, PlotOptions& options) {
       add_names(verb, "--figure", options.figures, "name of a figure of the study; may be repeated (default: all)");
   add_names(verb, "--format", options.formats, "svg, pdf or png; may be repeated (default: svg)", "FORMAT")
       ->check(CLI::IsMember({"svg", "pdf", "png"}));
+  verb.add_flag("--no-bounds", options.no_bounds, "leave out the bounds of metrics (the Cramer-Rao bound of errors)");
   add_figure_options(verb, options.asked, chosen);
 }
 

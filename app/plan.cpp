@@ -59,6 +59,7 @@ double print_plan(const studies::Study& study, core::Isa isa, int threads) {
     fmt::print("  stop     when the standard error of the {} of {} is below {:g}{}, after {} to {} trials per cell\n",
                rule.statistic, rule.metric, rule.is_relative ? 100.0 * rule.target : rule.target,
                rule.is_relative ? " %" : "", rule.min_trials, rule.max_trials);
+    if (rule.max_cost > 0.0) fmt::print("           or at a cost of {:g} of all cells together\n", rule.max_cost);
   }
   fmt::print("  blocks   {} of {} trials\n", blocks, block);
   fmt::print("  pilot    {:.3g} us per trial and thread, all methods, with {} ({} trials)\n",

@@ -45,7 +45,7 @@ std::vector<results::FigureSpec> chosen_figures(const results::Header& header, c
 
 int plot(const PlotOptions& options) {
   const results::Summary summary = read_probed(options.result, [&] { return results::read_result(options.result); });
-  const auto figures = chosen_figures(summary.header, options);
+  auto figures = chosen_figures(summary.header, options);
   const fs::path output(options.output);
   std::error_code unknown;
   const bool one_file = output.has_extension() && !fs::is_directory(output, unknown);
@@ -57,7 +57,8 @@ int plot(const PlotOptions& options) {
   if (!one_file) require_folder(output);
   std::vector<std::string> formats = options.formats;
   if (formats.empty()) formats = {"svg"};
-  for (const results::FigureSpec& figure : figures) {
+  for (results::FigureSpec& figure : figures) {
+    if (options.no_bounds) figure.bounds = false;
     for (const std::string& format : formats) {
       const fs::path path = one_file ? output : output / (figure.name + "." + format);
       results::draw_figure(summary, figure, path);

@@ -99,6 +99,7 @@ struct ExportOptions {
   bool failures = false;             ///< rows per failed trial that is listed
   bool study = false;                ///< the study file that the result holds
   bool latex = false;                ///< tables for LaTeX instead of CSV
+  std::string against;               ///< AXIS=VALUE: rows that compare cells with those there
   std::vector<std::string> metrics;  ///< of these tables, events too; empty: those of the figures
 };
 int export_result(const ExportOptions& options);
@@ -109,6 +110,7 @@ struct PlotOptions {
   std::vector<std::string> formats;  ///< "svg", "pdf", "png"
   std::vector<std::string> figures;  ///< names; empty: all
   results::FigureSpec asked;         ///< drawn instead of those of the study, if it names y
+  bool no_bounds = false;            ///< leaves the bounds of metrics out
 };
 int plot(const PlotOptions& options);
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "results/ratio.hpp"
 #include "results/text.hpp"
 
 namespace ridgeloc::results {
@@ -79,7 +80,8 @@ void write_factors(const Header& header, std::size_t cell, CsvWriter& csv) {
 
 }  // namespace
 
-void write_summary_csv(const Summary& summary, std::ostream& out) {
+void write_summary_csv(const Summary& of_methods, std::ostream& out) {
+  const Summary summary = with_ratios(of_methods);
   CsvWriter csv(out);
   write_axis_names(summary.header, csv);
   for (const char* name : {"method", "metric", "unit",    "n",   "mean",     "mcse",   "sd",     "min",     "p05",
@@ -105,6 +107,35 @@ void write_summary_csv(const Summary& summary, std::ostream& out) {
     csv.number(row.sd_mcse);
     for (const double value : {row.rms, row.rms_mcse, row.rms_lo, row.rms_hi, row.p95_lo, row.p95_hi})
       csv.number(value);
+    csv.end_line();
+  }
+  csv.flush();
+}
+
+void write_cell_comparisons_csv(const Header& header, const std::vector<CellComparison>& comparisons,
+                                std::ostream& out) {
+  CsvWriter csv(out);
+  write_axis_names(header, csv);
+  for (const char* name :
+       {"against", "method", "metric", "unit", "n", "n_against", "difference", "difference_mcse", "difference_lo",
+        "difference_hi", "ratio", "ratio_mcse", "ratio_lo", "ratio_hi", "correlation", "paired", "trusted"}) {
+    csv.text(name);
+  }
+  csv.end_line();
+  for (const CellComparison& pair : comparisons) {
+    const MetricInfo& metric = header.schema.metrics[pair.metric];
+    write_factors(header, pair.cell, csv);
+    csv.text(cell_text(header, pair.against));
+    csv.text(header.methods[pair.method].label);
+    csv.text(metric.name);
+    csv.text(metric.unit);
+    csv.number(pair.n);
+    csv.number(pair.n_against);
+    for (const Estimate& estimate : {pair.difference, pair.ratio})
+      for (const double value : {estimate.value, estimate.error, estimate.lo, estimate.hi}) csv.number(value);
+    csv.number(pair.correlation);
+    csv.number(pair.paired);
+    csv.number(std::uint64_t{pair.trusted});
     csv.end_line();
   }
   csv.flush();

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <vector>
 
+#include "results/cell_comparison.hpp"
 #include "results/result_file.hpp"
 #include "results/summary.hpp"
 
@@ -15,8 +17,15 @@ namespace ridgeloc::results {
 
 /// Long form, one row per cell, method and metric: the axes, then method, metric, unit, n, mean, mcse, sd,
 /// min, p05, p25, p50, p75, p95, max, lo, hi, trusted (1 or 0), beyond, p50_lo, p50_hi, sd_mcse, rms, rms_mcse, rms_lo,
-/// rms_hi, p95_lo, p95_hi. The columns mean what they do in `SummaryRow`.
+/// rms_hi, p95_lo, p95_hi. The columns mean what they do in `SummaryRow`. Rows of ratios ("a / b") come last in each
+/// cell.
 void write_summary_csv(const Summary& summary, std::ostream& out);
+
+/// A row per comparison: the axes of the cell, against (the other cell as text), method, metric, unit, n, n_against,
+/// difference, ratio, each with _mcse, _lo and _hi, correlation, paired, trusted. The columns mean what they do in
+/// `CellComparison`; the difference is in the unit, the ratio has none.
+void write_cell_comparisons_csv(const Header& header, const std::vector<CellComparison>& comparisons,
+                                std::ostream& out);
 
 /// Heading of the rows per trial: the axes, trial, method, status, then one column per metric.
 void write_trials_csv_heading(const Header& header, std::ostream& out);

@@ -11,9 +11,11 @@
 
 #include "core/error.hpp"
 #include "results/alarm.hpp"
+#include "results/figure_bounds.hpp"
 #include "results/figure_distribution.hpp"
 #include "results/figure_names.hpp"
 #include "results/figure_texts.hpp"
+#include "results/ratio.hpp"
 #include "results/text.hpp"
 
 namespace ridgeloc::results {
@@ -68,7 +70,11 @@ FigurePoint point_of(const SummaryRow& row, const Quantity& quantity, double x) 
 class Builder {
  public:
   Builder(const Summary& summary, const FigureSpec& spec)
-      : summary_(summary), header_(summary.header), spec_(spec), names_(resolve_figure_names(summary.header, spec)) {
+      : summary_(summary),
+        header_(summary.header),
+        spec_(spec),
+        names_(resolve_figure_names(summary.header, spec)),
+        bounds_(summary, spec, names_) {
     for (SummaryRow& row : summary_rows(summary)) {
       for (std::size_t metric = 0; metric < names_.y.size(); ++metric) {
         const Quantity& quantity = names_.y[metric];
@@ -81,6 +87,7 @@ class Builder {
   FigureData build() {
     FigureData data;
     data.title = spec_.title;
+    data.conditions = conditions();
     data.log_y = spec_.log_y;
     if (names_.x) {
       place_axis(data, header_.axes[*names_.x]);
@@ -174,6 +181,28 @@ class Builder {
     return values;
   }
 
+  /// Those axes that the figure does not name and in which the cells that it shows do not differ, unlike those of the
+  /// study.
+  std::string conditions() const {
+    std::string text;
+    for (std::size_t axis = 0; axis < header_.axes.size(); ++axis) {
+      if (is_placed(axis) || header_.axes[axis].values.size() < 2) continue;
+      const std::set<std::size_t> values = drawn_values(axis);
+      if (values.size() == 1) text += (text.empty() ? "" : ", ") + label({axis}, {*values.begin()});
+    }
+    return text;
+  }
+
+  bool is_placed(std::size_t axis) const {
+    return axis == names_.x || key_contains(names_.group, axis) || key_contains(names_.facet, axis);
+  }
+
+  Key axes_of_group() const {
+    Key axes = names_.group;
+    std::erase(axes, method_dimension);
+    return axes;
+  }
+
   bool grouped_by_one_axis() const { return names_.group.size() == 1 && names_.group.front() != method_dimension; }
 
   /// "points = 3, rrr".
@@ -218,6 +247,9 @@ class Builder {
       const FigurePoint point = point_of(row, names_.y[metric], x_[x_index]);
       if (std::isnan(point.y)) return;
       line->points.push_back(point);
+      const Key axes = axes_of_group();
+      const Key values = key(row, axes);
+      bounds_.add(row, {facet, group, metric, point.x, values, label(axes, values)});
     }
     fewest_trials_ = std::min(fewest_trials_, row.n);
     most_trials_ = std::max(most_trials_, row.n);
@@ -226,8 +258,7 @@ class Builder {
   [[noreturn]] void refuse_overlap(const SummaryRow& row) const {
     std::string axes;
     for (std::size_t i = 0; i < header_.axes.size(); ++i) {
-      const bool used = i == names_.x || key_contains(names_.group, i) || key_contains(names_.facet, i);
-      if (!used && header_.axes[i].values.size() > 1) axes += (axes.empty() ? "" : ", ") + header_.axes[i].name;
+      if (!is_placed(i) && header_.axes[i].values.size() > 1) axes += (axes.empty() ? "" : ", ") + header_.axes[i].name;
     }
     throw core::InputError(
         fmt::format("figure '{}': several cells fall on one {}, among them {}; add to group or facet: {}", spec_.name,
@@ -250,6 +281,7 @@ class Builder {
     std::sort(data.x_ticks.begin(), data.x_ticks.end(),
               [](const FigureTick& a, const FigureTick& b) { return a.position < b.position; });
     data.footnote = footnote(data.style);
+    bounds_.finish(data);
     if (untrusted) data.footnote += "; dotted bars: the interval itself is uncertain";
     std::set<std::pair<std::size_t, std::size_t>> drawn;
     for (const auto& entry : rows_) drawn.emplace(entry.second.cell, entry.second.method);
@@ -274,6 +306,7 @@ class Builder {
   const Header& header_;
   const FigureSpec& spec_;
   FigureNames names_;
+  FigureBounds bounds_;
   std::vector<std::pair<std::size_t, SummaryRow>> rows_;  ///< index into y, row
   std::vector<double> x_;
   std::optional<FigureDistribution> distribution_;
@@ -289,7 +322,8 @@ class Builder {
 }  // namespace
 
 FigureData figure_data(const Summary& summary, const FigureSpec& spec) {
-  return Builder(summary, spec).build();
+  const Summary wider = with_ratios(summary);
+  return Builder(wider, spec).build();
 }
 
 }  // namespace ridgeloc::results

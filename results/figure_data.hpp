@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,18 @@ struct FigureLine {
   std::vector<FigurePoint> points;
 };
 
+/// What points are to be seen against, a bound or what is expected of them: a line without marks, in order of x.
+struct FigureBound {
+  std::size_t entry = 0;                  ///< index into `FigureData::bounds`
+  std::optional<std::size_t> group = {};  ///< whose colour it has; none where it belongs to several
+  bool has_band = false;                  ///< from lo to hi
+  std::vector<FigurePoint> points = {};
+};
+
 struct FigurePanel {
   std::string label;  ///< empty where there is one panel only
   std::vector<FigureLine> lines;
+  std::vector<FigureBound> bounds = {};
 };
 
 struct FigureTick {
@@ -43,6 +53,7 @@ enum class FigureStyle {
 /// A figure with all names resolved and all numbers in place: what is left is to draw it.
 struct FigureData {
   std::string title;
+  std::string conditions;  ///< values of axes that all cells shown share; may be empty
   std::string x_label;
   std::string y_label;
   std::vector<FigureTick> x_ticks;  ///< at the values of the axis; categories stand at 0, 1, 2, ...
@@ -52,6 +63,7 @@ struct FigureData {
   std::string group_title;           ///< what the legend texts of the groups are values of; may be empty
   std::vector<std::string> groups;   ///< legend texts; one empty text where nothing is grouped
   std::vector<std::string> metrics;  ///< legend texts; one empty text where there is one metric only
+  std::vector<std::string> bounds;   ///< legend texts
   std::vector<FigurePanel> panels;
   std::string footnote;
 };

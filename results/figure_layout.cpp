@@ -15,12 +15,12 @@ constexpr double single_panel_height = 50.0;
 constexpr double stacked_panel_height = 38.0;
 constexpr double between_panels = 3.0;
 
-/// Puts entries below `y`, none where there is only one; returns where the next line goes.
-double place_legend(const std::vector<std::string>& texts, bool is_metric, double y, FigureLayout& layout) {
-  if (texts.size() < 2) return y;
+/// Puts entries below `y`; returns where the next line goes. Of groups and metrics a single one needs none.
+double place_legend(const std::vector<std::string>& texts, LegendEntry::Kind kind, double y, FigureLayout& layout) {
+  if (texts.size() < 2 && kind != LegendEntry::Kind::Bound) return y;
   const LegendGrid grid = legend_grid(texts, y, FigureLayout::width);
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    layout.legend.push_back({grid.places[i].x, grid.places[i].y, is_metric, i});
+    layout.legend.push_back({grid.places[i].x, grid.places[i].y, kind, i});
   }
   return grid.end;
 }
@@ -83,6 +83,14 @@ FigureRange y_range(const FigureData& data) {
         range.high = std::max({range.high, point.y, std::isfinite(point.hi) ? point.hi : point.y});
       }
     }
+    for (const FigureBound& bound : panel.bounds) {
+      for (const FigurePoint& point : bound.points) {
+        if (!is_drawable(point, data.log_y)) continue;
+        const bool has_band = bound.has_band && is_drawable({point.x, point.lo}, data.log_y);
+        range.low = std::min(range.low, has_band ? point.lo : point.y);
+        range.high = std::max(range.high, bound.has_band && std::isfinite(point.hi) ? point.hi : point.y);
+      }
+    }
   }
   if (range.low > range.high) return data.log_y ? FigureRange{0.1, 1.0} : FigureRange{};
   if (!data.log_y) return linear_range(range);
@@ -90,14 +98,18 @@ FigureRange y_range(const FigureData& data) {
   return {range.low / factor, range.high * factor};
 }
 
+std::size_t digits_of(const std::string& number) {
+  return number.size() - static_cast<std::size_t>(std::ranges::count(number, '.'));
+}
+
 /// For the labels of the vertical axis and its ticks; small shares on a logarithmic one are long.
 double label_width(const FigureData& data, const FigureRange& range) {
-  constexpr std::size_t usual = 5;  // "0.001", "-0.25"
+  constexpr std::size_t usual = 4;  // digits of "0.001", but for the narrow point
   constexpr double wide_digit = 2.0;
   std::size_t longest = usual;
   if (data.log_y) {
     for (int power = static_cast<int>(std::ceil(std::log10(range.low))); std::pow(10.0, power) <= range.high; ++power)
-      longest = std::max(longest, fmt::format("{:g}", std::stod(fmt::format("1e{}", power))).size());
+      longest = std::max(longest, digits_of(fmt::format("{:g}", std::stod(fmt::format("1e{}", power)))));
   }
   return 11.0 + wide_digit * static_cast<double>(longest - usual);
 }
@@ -144,6 +156,7 @@ FigureLayout figure_layout(const FigureData& data) {
   FigureLayout layout;
   const double text_width = FigureLayout::width - 2.0 * FigureLayout::edge;
   layout.title = wrapped(data.title, characters(text_width, title_character));
+  layout.conditions = wrapped(data.conditions, characters(text_width, small_character));
   const std::size_t panels = data.panels.size();
   const double label_room = panels > 1 ? static_cast<double>(panels) * stacked_panel_height : single_panel_height;
   // The label may reach beyond the panels by as much as the x axis below them takes.
@@ -155,11 +168,14 @@ FigureLayout figure_layout(const FigureData& data) {
   double y = FigureLayout::edge + FigureLayout::line_height / 2.0;
   layout.title_y = y;
   y += static_cast<double>(layout.title.size()) * FigureLayout::line_height;
-  if (!layout.title.empty()) y += 0.8;
+  layout.conditions_y = y;
+  y += static_cast<double>(layout.conditions.size()) * FigureLayout::line_height;
+  if (!layout.title.empty() || !layout.conditions.empty()) y += 0.8;
   layout.legend_title_y = y;
   if (data.groups.size() > 1 && !data.group_title.empty()) y += FigureLayout::line_height;
-  y = place_legend(data.groups, false, y, layout);
-  y = place_legend(data.metrics, true, y, layout);
+  y = place_legend(data.groups, LegendEntry::Kind::Group, y, layout);
+  y = place_legend(data.metrics, LegendEntry::Kind::Metric, y, layout);
+  y = place_legend(data.bounds, LegendEntry::Kind::Bound, y, layout);
   y = place_panels(data, y, layout);
   layout.x_label_y = y + 6.6;
   layout.footnote_y = layout.x_label_y + 4.6;
@@ -179,6 +195,21 @@ double dodged(const FigureData& data, const FigureLayout& layout, const FigureLi
   const double index = static_cast<double>(line.metric + line.group * data.metrics.size());
   const double offset = layout.dodge * (index - 0.5 * static_cast<double>(line_count(data) - 1));
   return data.log_x ? x * std::pow(10.0, offset) : x + offset;
+}
+
+std::vector<FigurePoint> drawn_bound(const FigureData& data, const FigureLayout& layout, const FigureBound& bound) {
+  std::vector<FigurePoint> points;
+  for (const FigurePoint& point : bound.points)
+    if (is_drawable(point, data.log_y)) points.push_back(point);
+  if (points.size() != 1) return points;
+  constexpr double reach = 0.02;
+  const auto moved = [&](double share) {
+    FigurePoint point = points.front();
+    point.x = data.log_x ? point.x * std::pow(layout.x.high / layout.x.low, share)
+                         : point.x + share * (layout.x.high - layout.x.low);
+    return point;
+  };
+  return {moved(-reach), moved(reach)};
 }
 
 LegendGrid legend_grid(const std::vector<std::string>& texts, double y, double page_width) {

@@ -21,10 +21,12 @@ struct PanelLayout {
 };
 
 struct LegendEntry {
+  enum class Kind { Group, Metric, Bound };
+
   double x = 0.0;
   double y = 0.0;
-  bool is_metric = false;  ///< otherwise a group
-  std::size_t index = 0;   ///< into `FigureData::metrics` or `groups`
+  Kind kind = Kind::Group;
+  std::size_t index = 0;  ///< into `FigureData::groups`, `metrics` or `bounds`
 };
 
 /// Where everything stands on the page: millimetres from the upper left corner; texts by their middle line.
@@ -42,12 +44,14 @@ struct FigureLayout {
   double height = 0.0;
   double left = 0.0;
   double title_y = 0.0;
+  double conditions_y = 0.0;
   double legend_title_y = 0.0;
   double x_label_y = 0.0;
   double footnote_y = 0.0;
-  std::vector<std::string> title;     ///< lines
-  std::vector<std::string> y_label;   ///< lines
-  std::vector<std::string> footnote;  ///< lines
+  std::vector<std::string> title;       ///< lines
+  std::vector<std::string> conditions;  ///< lines
+  std::vector<std::string> y_label;     ///< lines
+  std::vector<std::string> footnote;    ///< lines
   std::vector<LegendEntry> legend;
   std::vector<PanelLayout> panels;
   std::vector<FigureTick> ticks;  ///< labels are empty where there is no room
@@ -64,6 +68,9 @@ bool is_drawable(const FigurePoint& point, bool log_y);
 /// x of a line's points, moved a little sideways so that error bars of different lines stand beside each
 /// other.
 double dodged(const FigureData& data, const FigureLayout& layout, const FigureLine& line, double x);
+
+/// The points of a bound; one that has a single point reaches a little to both sides of it, to be seen.
+std::vector<FigurePoint> drawn_bound(const FigureData& data, const FigureLayout& layout, const FigureBound& bound);
 
 /// Places of the entries of a legend, in columns of equal width in the middle of the page.
 struct LegendGrid {

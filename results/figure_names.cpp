@@ -82,6 +82,33 @@ void check_distribution(const FigureSpec& spec, const FigureNames& names) {
     refuse(fmt::format("shows metrics; \"{}\" is yes or no, draw its rate as a curve", spec.y.front()));
 }
 
+/// Differences have no quantiles, since histograms do not resolve negative values, and ratios are of means.
+void adapt_statistics(const Header& header, const FigureSpec& spec, FigureNames& names) {
+  const auto all = [&](auto is) {
+    return std::ranges::all_of(names.methods, [&](std::size_t m) { return is(header.methods[m]); });
+  };
+  const auto is_ratio = [](const MethodInfo& method) { return method.ratio.has_value(); };
+  const bool none_is_ratio = all([&](const MethodInfo& method) { return !is_ratio(method); });
+  if (none_is_ratio) {
+    if (!spec.statistic.empty() || !all([](const MethodInfo& method) { return method.difference.has_value(); })) return;
+    for (FigureNames::Quantity& quantity : names.y)
+      if (quantity.statistic == FigureNames::Statistic::Median) quantity.statistic = FigureNames::Statistic::Mean;
+    return;
+  }
+  const auto refuse = [&](const char* reason) {
+    throw core::InputError(fmt::format("figure '{}': {}", spec.name, reason));
+  };
+  if (!all(is_ratio))
+    refuse("methods: a ratio has no unit and stands beside ratios only; draw it in a figure of its own");
+  if (names.kind != FigureNames::Kind::Curve)
+    refuse("methods: a ratio of means has no distribution; use kind = \"curve\"");
+  if (!spec.statistic.empty() && spec.statistic != "mean") refuse("statistic: ratios are those of means; remove it");
+  for (FigureNames::Quantity& quantity : names.y) {
+    quantity.statistic = FigureNames::Statistic::RatioOfMeans;
+    quantity.unit.clear();
+  }
+}
+
 /// Per value of an axis, whether one of the texts writes it.
 std::vector<bool> chosen_values(const FigureSpec& spec, const Axis& axis, const std::vector<std::string>& texts) {
   std::vector<bool> chosen(axis.values.size(), false);
@@ -133,8 +160,9 @@ FigureNames resolve_figure_names(const Header& header, const FigureSpec& spec) {
   for (const std::string& label : spec.methods) names.methods.push_back(find_name(spec, "methods", label, labels));
   if (spec.methods.empty()) {
     for (std::size_t method = 0; method < labels.size(); ++method)
-      if (!header.methods[method].difference) names.methods.push_back(method);
+      if (!header.methods[method].difference && !header.methods[method].ratio) names.methods.push_back(method);
   }
+  adapt_statistics(header, spec, names);
   names.is_drawn = cells_of_figure(header, spec);
   return names;
 }

@@ -14,7 +14,7 @@ namespace ridgeloc::results {
 struct FigureNames {
   static constexpr std::size_t method_dimension = static_cast<std::size_t>(-1);
 
-  enum class Statistic { Mean, Median, RootMeanSquare, Rate };
+  enum class Statistic { Mean, Median, RootMeanSquare, Rate, RatioOfMeans };
   enum class Kind { Curve, Ecdf, Histogram };
 
   struct Quantity {
@@ -34,8 +34,8 @@ struct FigureNames {
 };
 
 /// Throws core::InputError for a name that does not exist (with the nearest ones that do), an unknown kind or
-/// statistic, and what a distribution cannot have: an x, a statistic, or anything but one metric with other values than
-/// yes and no.
+/// statistic, what a distribution cannot have: an x, a statistic, or anything but one metric with other values than
+/// yes and no; and for ratios beside other methods or with another statistic than the mean.
 FigureNames resolve_figure_names(const Header& header, const FigureSpec& spec);
 
 /// Per cell, whether the figure shows it. Throws core::InputError for an axis or a value that does not exist, and where

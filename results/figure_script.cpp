@@ -16,6 +16,10 @@ namespace {
 
 using Layout = FigureLayout;
 
+/// Of bands around lines, and of those of bounds, which lie behind them.
+constexpr double band_opacity = 0.2;
+constexpr double bound_band_opacity = 0.12;
+
 Page page_of(const Layout& layout) {
   return {Layout::width, layout.height};
 }
@@ -40,6 +44,14 @@ Style line_style(const FigureData& data, std::size_t group, std::size_t metric) 
   return data.metrics.size() > 1 ? with_metric(style, metric) : style;
 }
 
+/// Grey where it belongs to several groups; the dash tells such ones apart.
+Style bound_style(const std::optional<std::size_t>& group, std::size_t entry) {
+  Style style;
+  if (group) style.colour = colours[*group % colours.size()];
+  style.dash = bound_dashes[entry % bound_dashes.size()];
+  return style;
+}
+
 /// A line, given with its plotting style, and its marks if the figure has any. Under an open mark the line is covered.
 std::string drawn_line(const FigureData& data, const std::string& line, const std::string& places, const Style& style) {
   std::string elements = fmt::format("{} lw 1.2 lc rgb '{}' dt {}", line, style.colour, style.dash);
@@ -53,6 +65,22 @@ std::string drawn_line(const FigureData& data, const std::string& line, const st
   return elements;
 }
 
+const std::string& legend_text(const FigureData& data, const LegendEntry& entry) {
+  switch (entry.kind) {
+    case LegendEntry::Kind::Metric:
+      return data.metrics[entry.index];
+    case LegendEntry::Kind::Bound:
+      return data.bounds[entry.index];
+    case LegendEntry::Kind::Group:
+      break;
+  }
+  return data.groups[entry.index];
+}
+
+std::string drawn_bound_line(const std::string& line, const Style& style) {
+  return fmt::format("{} lw 1.1 lc rgb '{}' dt {}", line, style.colour, style.dash);
+}
+
 /// All that is written on the page outside of the panels' axes.
 std::string lettering(const FigureData& data, const Layout& layout) {
   std::string script;
@@ -64,6 +92,7 @@ std::string lettering(const FigureData& data, const Layout& layout) {
     }
   };
   lines(layout.title, Layout::width / 2.0, layout.title_y, Layout::line_height, "center font ',8.5'");
+  lines(layout.conditions, Layout::width / 2.0, layout.conditions_y, Layout::line_height, "center font ',7'");
   lines(layout.footnote, Layout::edge, layout.footnote_y, Layout::footnote_line_height,
         "left font ',5.5' tc rgb '#444444'");
   script += page_text(page_of(layout), (layout.left + Layout::width - Layout::right) / 2.0, layout.x_label_y,
@@ -87,7 +116,7 @@ std::string lettering(const FigureData& data, const Layout& layout) {
   }
   for (const LegendEntry& entry : layout.legend) {
     script += page_text(page_of(layout), entry.x + Layout::sample_length + Layout::sample_gap, entry.y,
-                        entry.is_metric ? data.metrics[entry.index] : data.groups[entry.index], "left font ',7'");
+                        legend_text(data, entry), "left font ',7'");
   }
   return script;
 }
@@ -103,9 +132,14 @@ std::string draw_page(const FigureData& data, const Layout& layout) {
     const std::string name = fmt::format("$sample{}", i);
     script += fmt::format("{0} << EOD\n{1} {3} {4}\n\n\n{2} {3}\nEOD\n", name, entry.x,
                           entry.x + Layout::sample_length / 2.0, entry.y, Layout::sample_length);
-    const Style style = entry.is_metric ? with_metric(Style{}, entry.index) : line_style(data, entry.index, 0);
-    append(elements, next_element,
-           drawn_line(data, name + " index 0 using 1:2:3:(0) with vectors nohead", name + " index 1", style));
+    const std::string line = name + " index 0 using 1:2:3:(0) with vectors nohead";
+    if (entry.kind == LegendEntry::Kind::Bound) {
+      append(elements, next_element, drawn_bound_line(line, bound_style(std::nullopt, entry.index)));
+      continue;
+    }
+    const Style style =
+        entry.kind == LegendEntry::Kind::Metric ? with_metric(Style{}, entry.index) : line_style(data, entry.index, 0);
+    append(elements, next_element, drawn_line(data, line, name + " index 1", style));
   }
   return script + plot_command(elements) + "unset label\n";
 }
@@ -148,15 +182,20 @@ std::string panel_axes(const FigureData& data, const Layout& layout) {
   return script;
 }
 
-/// A data block of the line's points: x, y, lower and upper end of the bar, whether it is trusted.
+/// x, y, lower and upper end of the bar, whether it is trusted; within the axis.
+std::string point_row(const Layout& layout, const FigurePoint& point, double x) {
+  return fmt::format("{} {} {} {} {}\n", x, std::max(point.y, layout.y.low), std::max(point.lo, layout.y.low),
+                     std::min(point.hi, layout.y.high), point.trusted ? 1 : 0);
+}
+
+/// A data block of the line's points.
 std::string data_block(const std::string& name, const FigureData& data, const Layout& layout, const FigureLine& line) {
   std::string block = name + " << EOD\n";
   // A mark that has no place is left out; a line goes along the edge there.
   const bool has_marks = data.style == FigureStyle::Marks;
   for (const FigurePoint& point : line.points) {
     if (has_marks && !is_drawable(point, data.log_y)) continue;
-    block += fmt::format("{} {} {} {} {}\n", dodged(data, layout, line, point.x), std::max(point.y, layout.y.low),
-                         std::max(point.lo, layout.y.low), std::min(point.hi, layout.y.high), point.trusted ? 1 : 0);
+    block += point_row(layout, point, dodged(data, layout, line, point.x));
   }
   return block + "EOD\n";
 }
@@ -173,9 +212,9 @@ std::string bars(const std::string& name, const Style& style) {
 }
 
 /// Where the line may lie, a shade of its colour.
-std::string band(const std::string& name, const Style& style) {
-  return fmt::format("{} using 1:3:4 with filledcurves lc rgb '{}' fs transparent solid 0.2 noborder", name,
-                     style.colour);
+std::string band(const std::string& name, const Style& style, double opacity) {
+  return fmt::format("{} using 1:3:4 with filledcurves lc rgb '{}' fs transparent solid {} noborder", name,
+                     style.colour, opacity);
 }
 
 std::string draw_panel(const FigureData& data, const Layout& layout, std::size_t index) {
@@ -184,6 +223,18 @@ std::string draw_panel(const FigureData& data, const Layout& layout, std::size_t
   script += x_ticks(layout, index + 1 == layout.panels.size());
   std::string bands;  // behind all lines
   std::string elements;
+  for (std::size_t i = 0; i < data.panels[index].bounds.size(); ++i) {
+    const FigureBound& bound = data.panels[index].bounds[i];
+    const std::vector<FigurePoint> points = drawn_bound(data, layout, bound);
+    if (points.empty()) continue;
+    const std::string name = fmt::format("$panel{}_bound{}", index, i);
+    const Style style = bound_style(bound.group, bound.entry);
+    script += name + " << EOD\n";
+    for (const FigurePoint& point : points) script += point_row(layout, point, point.x);
+    script += "EOD\n";
+    if (bound.has_band) append(bands, next_element, band(name, style, bound_band_opacity));
+    append(elements, next_element, drawn_bound_line(name + " using 1:2 with lines", style));
+  }
   for (const FigureLine& line : data.panels[index].lines) {
     const bool any = std::any_of(line.points.begin(), line.points.end(),
                                  [&](const FigurePoint& point) { return is_drawable(point, data.log_y); });
@@ -192,7 +243,7 @@ std::string draw_panel(const FigureData& data, const Layout& layout, std::size_t
     const Style style = line_style(data, line.group, line.metric);
     script += data_block(name, data, layout, line);
     if (data.style == FigureStyle::Marks) append(elements, next_element, bars(name, style));
-    if (data.style == FigureStyle::Bands) append(bands, next_element, band(name, style));
+    if (data.style == FigureStyle::Bands) append(bands, next_element, band(name, style, band_opacity));
     append(elements, next_element, drawn_line(data, name + " using 1:2 with lines", name, style));
   }
   if (!bands.empty()) elements = bands + std::string(next_element) + elements;

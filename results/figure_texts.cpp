@@ -23,6 +23,8 @@ const char* statistic_text(const Quantity& quantity) {
       return "root mean square";
     case Statistic::Rate:
       return "rate";
+    case Statistic::RatioOfMeans:
+      return "ratio of the means";
   }
   return "";
 }

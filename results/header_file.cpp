@@ -86,6 +86,9 @@ void write_cells(hdf5::File& file, const Header& header) {
   file.create_group("/cells");
   file.write("/cells/hash", hashes);
   file.write("/cells/index", indices, {header.cells.size(), header.axes.size()});
+  std::vector<std::uint8_t> bounds;
+  for (const CellInfo& cell : header.cells) bounds.push_back(static_cast<std::uint8_t>(cell.bound));
+  file.write("/cells/bound", bounds);
 }
 
 std::vector<CellInfo> read_cells(const hdf5::File& file, const std::vector<Axis>& axes) {
@@ -101,6 +104,15 @@ std::vector<CellInfo> read_cells(const hdf5::File& file, const std::vector<Axis>
       cell.indices.push_back(index);
     }
     cells.push_back(std::move(cell));
+  }
+  if (file.contains("/cells/bound")) {  // since version 1.4
+    const auto bounds = file.read<std::uint8_t>("/cells/bound");
+    require(bounds.size() == cells.size(), file, "/cells/bound has another length than /cells/hash");
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      require(bounds[c] <= static_cast<std::uint8_t>(BoundKind::RootMeanSquare), file,
+              "/cells/bound holds an unknown kind");
+      cells[c].bound = static_cast<BoundKind>(bounds[c]);
+    }
   }
   return cells;
 }
@@ -143,6 +155,10 @@ void write_schema(hdf5::File& file, const Header& header) {
     file.write(path, values);
   }
   write_column(file, "/metrics/alarm", header.schema.metrics, &MetricInfo::alarm);
+  write_column(file, "/metrics/bound", header.schema.metrics, &MetricInfo::bound);
+  std::vector<std::uint64_t> freedoms;
+  for (const MetricInfo& metric : header.schema.metrics) freedoms.push_back(metric.chi_square);
+  file.write("/metrics/chi_square", freedoms);
   file.create_group("/events");
   write_column(file, "/events/name", header.schema.events, &EventInfo::name);
   write_column(file, "/events/description", header.schema.events, &EventInfo::description);
@@ -176,6 +192,12 @@ void read_schema(const hdf5::File& file, Header& header) {
     for (std::size_t m = 0; m < values.size(); ++m) header.schema.metrics[m].*flag = values[m] != 0;
   }
   if (file.contains("/metrics/alarm")) read_column(file, "/metrics/alarm", header.schema.metrics, &MetricInfo::alarm);
+  if (file.contains("/metrics/bound")) read_column(file, "/metrics/bound", header.schema.metrics, &MetricInfo::bound);
+  if (file.contains("/metrics/chi_square")) {  // since version 1.4
+    const auto freedoms = file.read<std::uint64_t>("/metrics/chi_square");
+    require(freedoms.size() == header.schema.metrics.size(), file, "the datasets of /metrics differ in length");
+    for (std::size_t m = 0; m < freedoms.size(); ++m) header.schema.metrics[m].chi_square = freedoms[m];
+  }
   read_column(file, "/events/name", header.schema.events, &EventInfo::name);
   read_column(file, "/events/description", header.schema.events, &EventInfo::description);
   if (file.contains("/events/failure")) {  // since version 1.2
@@ -206,6 +228,7 @@ void write_figures(hdf5::File& file, const std::vector<FigureSpec>& figures) {
     file.write_attribute(group, "methods", figure.methods);
     file.write_attribute(group, "where", axis_values_texts(figure.where));
     file.write_attribute(group, "log_y", std::uint64_t{figure.log_y});
+    file.write_attribute(group, "bounds", std::uint64_t{figure.bounds});
   }
 }
 
@@ -227,6 +250,8 @@ std::vector<FigureSpec> read_figures(const hdf5::File& file) {
       for (const std::string& text : file.texts_attribute(group, "where")) add_axis_values(figure.where, text);
     }
     figure.log_y = file.number_attribute(group, "log_y") != 0;
+    if (file.has_attribute(group, "bounds"))  // since version 1.4
+      figure.bounds = file.number_attribute(group, "bounds") != 0;
     figures.push_back(std::move(figure));
   }
   return figures;

@@ -102,6 +102,14 @@ double upper_bound_of_none(std::uint64_t trials) {
   return std::min(3.0 / static_cast<double>(trials), 1.0);
 }
 
+Interval chi_square_mean_range(std::uint64_t n, std::uint64_t degrees_of_freedom) {
+  if (n == 0) return {nan, nan};
+  const double freedom = static_cast<double>(degrees_of_freedom);
+  const double spread = 2.0 / (9.0 * static_cast<double>(n) * freedom);
+  const auto at = [&](double quantile) { return freedom * std::pow(1.0 - spread + quantile * std::sqrt(spread), 3); };
+  return {at(-z), at(z)};
+}
+
 Interval quantile_interval(const Histogram& histogram, double q) {
   const double n = static_cast<double>(histogram.total());
   const double half = z * std::sqrt(n * q * (1.0 - q));

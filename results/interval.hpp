@@ -56,6 +56,11 @@ Interval wilson_interval(std::uint64_t successes, std::uint64_t trials);
 /// -log 0.05 rounded up), at most 1; NaN for no trials.
 double upper_bound_of_none(std::uint64_t trials);
 
+/// Where the mean of n independent values of a chi-square distribution with so many degrees of freedom lies with 95 %,
+/// by Wilson and Hilferty's cube, to 1e-3 of itself where n times the degrees of freedom is at least 30; NaN without
+/// values.
+Interval chi_square_mean_range(std::uint64_t n, std::uint64_t degrees_of_freedom);
+
 /// Interval of the q quantile between the order statistics of rank n q -+ z sqrt(n q (1 - q)), rounded outwards to
 /// whole ranks and read from the histogram (linear within a bin, like `Histogram::quantile`). NaN when empty; where a
 /// rank lies outside the sample, the end of the histogram stands for it.

@@ -21,6 +21,9 @@ inline constexpr std::array filled_marks = {7, 5, 9, 13, 11, 15};
 
 inline constexpr std::array dashes = {"1", "(12,5)", "(3,4)", "(12,4,3,4)", "(22,5)", "(6,3)"};
 
+/// Those of bounds, which have no marks.
+inline constexpr std::array bound_dashes = {"(14,3,2,3)", "(3,3)", "(14,3,2,3,2,3)", "(7,3)"};
+
 struct Page {
   double width = 0.0;   ///< mm
   double height = 0.0;  ///< mm

@@ -8,7 +8,7 @@ namespace ridgeloc::results::layout {
 
 inline constexpr const char* filetype = "ridgeloc-result";
 inline constexpr std::uint64_t major_version = 1;
-inline constexpr std::uint64_t minor_version = 3;
+inline constexpr std::uint64_t minor_version = 4;
 inline constexpr const char* digest_attribute = "data_sha256";
 inline constexpr const char* totals_digest_attribute = "totals_sha256";
 inline constexpr const char* attributes_digest_attribute = "attributes_sha256";

@@ -22,10 +22,18 @@ struct Axis {
   std::vector<FactorValue> values;
 };
 
+/// What a figure may show of the bounds of a cell's metrics (`MetricInfo::bound`).
+enum class BoundKind : std::uint8_t {
+  None,           ///< they bound nothing here
+  Quantiles,      ///< their mean square is infinite, whatever a sample says
+  RootMeanSquare  ///< it is finite, and bounds the mean square of the metric
+};
+
 /// One point of the sweep grid.
 struct CellInfo {
-  std::string hash;                  ///< identity: hash of its factor values
-  std::vector<std::size_t> indices;  ///< per axis, the index into `Axis::values`
+  std::string hash;                   ///< identity: hash of its factor values
+  std::vector<std::size_t> indices;   ///< per axis, the index into `Axis::values`
+  BoundKind bound = BoundKind::None;  ///< known beforehand, by the experiment
 };
 
 /// One solver with its settings.
@@ -35,6 +43,9 @@ struct MethodInfo {
   std::string description;  ///< the settings as text
   /// Not a solver but the difference of two methods on the same trials, the first minus the second, by their numbers.
   std::optional<std::array<std::size_t, 2>> difference = {};
+  /// Not a solver but the ratio of the two methods of this difference. Never stored: `with_ratios` adds it to what has
+  /// been read.
+  std::optional<std::size_t> ratio = {};
 };
 
 /// A real-valued quantity measured per trial and method.
@@ -52,6 +63,11 @@ struct MetricInfo {
   /// this text.
   std::string alarm = {};
   bool is_compared = false;  ///< differences of methods are taken of it, trial by trial
+  /// The metric that bounds the root mean square of this one from below for unbiased estimates, trial by trial, in
+  /// the same unit; empty: none.
+  std::string bound = {};
+  /// Degrees of freedom of the chi-square distribution that the values have if the theory behind them holds; 0: none.
+  std::uint64_t chi_square = 0;
 };
 
 /// A yes-or-no outcome per trial and method; its rate is reported.
@@ -85,6 +101,7 @@ struct FigureSpec {
   std::vector<std::string> methods;  ///< restricts to these labels; empty: all that have the metric
   AxisValues where;                  ///< draws these cells alone; empty: all
   bool log_y = false;
+  bool bounds = true;  ///< draws the bounds of the metrics too; for curves
 };
 
 /// Stands for the instruction set of a result whose blocks were computed with several.

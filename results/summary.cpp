@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "results/interval.hpp"
+#include "results/ratio.hpp"
 
 namespace ridgeloc::results {
 namespace {
@@ -33,6 +34,12 @@ SummaryRow blank_row(std::size_t cell, std::size_t method, std::string metric, s
   return row;
 }
 
+bool is_trusted(const MetricStatistics& metric) {
+  // Of a sample without spread nothing is known of how it would spread, as of a rate without events.
+  return metric.moments.n >= fewest_trusted && metric.moments.m2 > 0.0 && metric.beyond == 0 &&
+         variance_of_variance(metric.moments) <= largest_variance_of_variance;
+}
+
 void fill_moments(SummaryRow& row, const MetricStatistics& metric) {
   const Moments& moments = metric.moments;
   if (moments.n == 0) return;
@@ -48,9 +55,7 @@ void fill_moments(SummaryRow& row, const MetricStatistics& metric) {
   const Interval rms = root_mean_square_interval(moments);
   row.rms_lo = rms.lo;
   row.rms_hi = rms.hi;
-  // Of a sample without spread nothing is known of how it would spread, as of a rate without events.
-  row.trusted = moments.n >= fewest_trusted && moments.m2 > 0.0 && metric.beyond == 0 &&
-                variance_of_variance(moments) <= largest_variance_of_variance;
+  row.trusted = is_trusted(metric);
 }
 
 void fill_quantiles(SummaryRow& row, const MetricInfo& info, const MetricStatistics& metric) {
@@ -109,6 +114,29 @@ SummaryRow event_row(std::size_t cell, std::size_t method, const EventInfo& info
   return row;
 }
 
+/// The ratio of the means of the two methods of a difference.
+SummaryRow ratio_row(const Summary& summary, std::size_t cell, std::size_t method, std::size_t metric) {
+  const auto statistics_of_method = [&](std::size_t m) -> MetricStatistics {
+    const auto& metrics = summary.of(cell, m).metrics;
+    return metric < metrics.size() ? metrics[metric] : MetricStatistics();
+  };
+  const std::size_t difference = *summary.header.methods[method].ratio;
+  const MetricStatistics above = statistics_of_method((*summary.header.methods[difference].difference)[0]);
+  const MetricStatistics below = statistics_of_method((*summary.header.methods[difference].difference)[1]);
+  SummaryRow row = blank_row(cell, method, summary.header.schema.metrics[metric].name, "1");
+  row.n = std::min(above.moments.n, below.moments.n);
+  if (row.n == 0) return row;
+  const Moments& a = above.moments;
+  const Moments& b = below.moments;
+  const Estimate ratio = ratio_of_means(a, b, covariance_of_means(above, below, statistics_of_method(difference)));
+  row.mean = ratio.value;
+  row.mcse = ratio.error;
+  row.lo = ratio.lo;
+  row.hi = ratio.hi;
+  row.trusted = is_trusted(above) && is_trusted(below) && is_ratio_linear(b);
+  return row;
+}
+
 /// What a method reports anywhere: a flag per metric, and whether it has events.
 struct Reported {
   std::vector<bool> metrics;
@@ -138,7 +166,8 @@ std::vector<SummaryRow> summary_rows(const Summary& summary) {
   const Schema& schema = summary.header.schema;
   const std::size_t methods = summary.header.methods.size();
   std::vector<Reported> reported;
-  for (std::size_t method = 0; method < methods; ++method) reported.push_back(reported_by(summary, method));
+  for (std::size_t method = 0; method < methods; ++method)
+    reported.push_back(reported_by(summary, summary.header.methods[method].ratio.value_or(method)));
 
   // Stands for a cell that has not been computed yet.
   const MetricStatistics no_metric;
@@ -148,6 +177,10 @@ std::vector<SummaryRow> summary_rows(const Summary& summary) {
       const Statistics& statistics = summary.of(cell, method);
       for (std::size_t i = 0; i < schema.metrics.size(); ++i) {
         if (!reported[method].metrics[i]) continue;
+        if (summary.header.methods[method].ratio) {
+          rows.push_back(ratio_row(summary, cell, method, i));
+          continue;
+        }
         const bool present = i < statistics.metrics.size();
         rows.push_back(metric_row(cell, method, schema.metrics[i], present ? statistics.metrics[i] : no_metric));
       }

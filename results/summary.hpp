@@ -56,11 +56,13 @@ std::uint64_t yes_count(const MetricStatistics& metric);
 /// the row stays with n = 0. Quantiles are held within [min, max]; of a metric with negative values they are
 /// NaN, because its histogram does not resolve them.
 ///
+/// Rows of ratios (`with_ratios`) have a ratio of means as mean.
+///
 /// A bar is trusted when it rests on at least 10 values (for a rate: 10 of either outcome), none of them
 /// beyond the moments' limit, and the variance of the variance, M4 / M2^2 - 1 / n, is at most 0.1.
 std::vector<SummaryRow> summary_rows(const Summary& summary);
 
-/// The row of one metric or event of one method. Precondition: the schema has it.
+/// The row of one metric or event of one method that is no ratio. Precondition: the schema has it.
 SummaryRow summary_row(const Header& header, std::size_t method, const Statistics& statistics, std::string_view name);
 
 }  // namespace ridgeloc::results

@@ -8,6 +8,7 @@
 
 #include "results/completeness.hpp"
 #include "results/interval.hpp"
+#include "results/ratio.hpp"
 #include "results/text.hpp"
 
 namespace ridgeloc::results {
@@ -120,7 +121,8 @@ std::string heading(const Header& header) {
 
 }  // namespace
 
-std::string summary_table(const Summary& summary) {
+std::string summary_table(const Summary& of_methods) {
+  const Summary summary = with_ratios(of_methods);
   const std::vector<Block> blocks = blocks_of(summary);
   std::array<std::size_t, columns> widths{};
   for (const Block& block : blocks) {
@@ -129,7 +131,7 @@ std::string summary_table(const Summary& summary) {
     }
   }
   std::string text = heading(summary.header);
-  if (completeness_of(summary).incomplete > 0) text += completeness_text(summary) + "\n";
+  if (completeness_of(of_methods).incomplete > 0) text += completeness_text(of_methods) + "\n";
   for (const Block& block : blocks) {
     const std::string cell = cell_text(summary.header, block.cell);
     text += fmt::format("\n{}{}{}\n", cell, cell.empty() ? "" : ": ", summary.header.methods[block.method].label);

@@ -11,4 +11,9 @@ inline std::string label_of(const Comparison& comparison) {
   return comparison[0] + " - " + comparison[1];
 }
 
+/// How figures call the ratio of the two: "rrr / rr".
+inline std::string ratio_label_of(const Comparison& comparison) {
+  return comparison[0] + " / " + comparison[1];
+}
+
 }  // namespace ridgeloc::studies

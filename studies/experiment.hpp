@@ -89,6 +89,14 @@ class Experiment {
   /// Refuses settings of a cell that cannot stand together: throws core::InputError that says which and why.
   virtual void check(const Values& cell) const = 0;
 
+  /// What figures may show of the bounds of metrics in a cell; nothing where they are none.
+  virtual results::BoundKind bound(const Values&) const { return results::BoundKind::None; }
+
+  /// What the trials of one method in a cell have cost, in a unit that no machine changes.
+  virtual double cost(const Values&, const results::Statistics& statistics) const {
+    return static_cast<double>(statistics.trials);
+  }
+
   /// How many of the metrics are reported only if there is an audit.
   virtual std::size_t audit_metrics() const { return 0; }
 

@@ -44,7 +44,7 @@ results::AxisValues read_where(const toml::node& node, const Study& study) {
 
 /// A distribution is that of one metric, over the values of the metric itself.
 void check_distribution(const toml::table& table, const results::FigureSpec& figure, const Experiment& experiment) {
-  for (const char* key : {"x", "statistic"}) {
+  for (const char* key : {"x", "statistic", "bounds"}) {
     if (const toml::node* node = table.get(key))
       fail_at(*node, fmt::format("figure.{} does not go with kind = \"{}\", which shows all values", key, figure.kind));
   }
@@ -56,7 +56,7 @@ void check_distribution(const toml::table& table, const results::FigureSpec& fig
 
 results::FigureSpec read_figure(const toml::table& table, const Study& study, std::size_t number) {
   check_keys(table, "[[figure]]",
-             {"name", "title", "kind", "x", "y", "statistic", "group", "facet", "methods", "where", "log_y"});
+             {"name", "title", "kind", "x", "y", "statistic", "group", "facet", "methods", "where", "log_y", "bounds"});
   std::vector<std::string> axes;
   for (const SweepAxis& axis : study.sweep) axes.push_back(axis.setting->name);
   std::vector<std::string> groups = axes;
@@ -66,7 +66,10 @@ results::FigureSpec read_figure(const toml::table& table, const Study& study, st
   for (const auto& event : study.experiment->schema().events) quantities.push_back(event.name);
   std::vector<std::string> labels = study.experiment->extra_labels();
   for (const Method& method : study.methods) labels.push_back(method.label);
-  for (const Comparison& comparison : study.comparisons) labels.push_back(label_of(comparison));
+  for (const Comparison& comparison : study.comparisons) {
+    labels.push_back(label_of(comparison));
+    labels.push_back(ratio_label_of(comparison));
+  }
 
   const auto required = [&](const char* key, const char* what) -> const toml::node& {
     const toml::node* node = table.get(key);
@@ -108,6 +111,7 @@ results::FigureSpec read_figure(const toml::table& table, const Study& study, st
   if (const toml::node* node = table.get("methods")) figure.methods = read_texts(*node, "figure.methods", labels);
   if (const toml::node* node = table.get("where")) figure.where = read_where(*node, study);
   if (const toml::node* node = table.get("log_y")) figure.log_y = read_bool(*node, "figure.log_y");
+  if (const toml::node* node = table.get("bounds")) figure.bounds = read_bool(*node, "figure.bounds");
   return figure;
 }
 

@@ -118,7 +118,8 @@ results::Header make_header(const Study& study, const std::vector<Cell>& cells, 
     for (const Value& value : axis.values) out.values.push_back(factor_value(value));
     header.axes.push_back(std::move(out));
   }
-  for (const Cell& cell : cells) header.cells.push_back({cell.hash, cell.indices});
+  for (const Cell& cell : cells)
+    header.cells.push_back({cell.hash, cell.indices, study.experiment->bound(cell.values)});
   for (const Method& method : study.methods) {
     const std::string content = method_content(study, method);
     header.methods.push_back({method.label, short_hash(content), content});

@@ -5,10 +5,12 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/problem.hpp"
 #include "core/solution.hpp"
 #include "sim/field_of_view.hpp"
 #include "solvers/solver.hpp"
 #include "studies/audit.hpp"
+#include "studies/nees.hpp"
 #include "studies/ranging_replay.hpp"
 #include "studies/ranging_settings.hpp"
 #include "studies/ranging_trials.hpp"
@@ -34,7 +36,8 @@ enum Metric : std::size_t {
   Condition,
   SquaredErrorM2,
   ErrorXM,
-  FirstOfAudit  ///< and the others, in the order of AuditMetric
+  FirstOfAudit,  ///< and the others, in the order of AuditMetric
+  Nees = FirstOfAudit + audit_metric_count
 };
 
 results::Schema make_schema() {
@@ -47,7 +50,7 @@ results::Schema make_schema() {
       {"eta_last", "1", "similarity of K to the true K at the last iteration", false},
       {"eta_mean", "1", "similarity of K to the true K averaged over the iterations", false},
       {"residual_rms_m", "m", "root mean square residual of converged trials", false},
-      {"crb_m", "m", "Cramer-Rao bound of the position error", true},
+      {"crb_m", "m", "Cramer-Rao bound of unbiased position estimates", true},
       {"gdop", "1", "geometric dilution of precision", true},
       {"condition", "1", "condition number of J'J at the truth", true},
       {"squared_error_m2", "m2", "squared position error of all trials", true},
@@ -55,7 +58,10 @@ results::Schema make_schema() {
   };
   for (const Metric compared : {ErrorM, ErrorAllM, SquaredErrorM2, Iterations})
     schema.metrics[compared].is_compared = true;
+  for (const Metric bounded : {ErrorM, ErrorAllM}) schema.metrics[bounded].bound = schema.metrics[CrbM].name;
   for (results::MetricInfo& metric : studies::audit_metrics()) schema.metrics.push_back(std::move(metric));
+  schema.metrics.push_back({"nees", "1", "normalized squared position error of converged trials", false});
+  schema.metrics[Nees].chi_square = core::position_parameters;
   for (const std::string_view status : core::status_names) {
     const bool is_failure = status != core::status_names[static_cast<std::size_t>(core::Status::Converged)];
     schema.events.push_back({std::string(status), "trials that ended as " + std::string(status), is_failure});
@@ -74,7 +80,7 @@ class Ranging : public Experiment {
   std::string_view summary() const override {
     return "noisy ranges to objects in a field of view (RRR paper, section 4, Fig. 3)";
   }
-  int version() const override { return 3; }
+  int version() const override { return 4; }
   std::uint64_t block_trials() const override { return 4096; }
   std::span<const Setting> settings() const override { return ranging_settings(); }
   const results::Schema& schema() const override {
@@ -93,6 +99,28 @@ class Ranging : public Experiment {
           "scene.model = \"pseudorange\" needs points before the camera: "
           "scene.azimuth_deg and scene.elevation_deg within -90 to 90, ends excluded");
     }
+  }
+
+  /// The bound is that of normal noise of one level. Over random scenes the mean of its square is finite from two
+  /// observations more than unknowns on.
+  results::BoundKind bound(const Values& cell) const override {
+    const RangingCell settings(cell);
+    if (!has_plain_noise(settings)) return results::BoundKind::None;
+    const solvers::SolverOptions options = solver_options(cell, {});
+    const bool knows_height = settings.has_images && options.z_mode == solvers::ZMode::Fixed;
+    const bool seeks_distance = settings.has_images && options.v_mode != solvers::VMode::Fixed;
+    const bool has_prior = settings.has_images && options.v_mode == solvers::VMode::Prior;
+    const std::size_t unknowns = core::position_parameters - (knows_height ? 1 : 0) + (seeks_distance ? 1 : 0);
+    const std::size_t observations = settings.points + (has_prior ? 1 : 0);
+    return observations >= unknowns + 2 ? results::BoundKind::RootMeanSquare : results::BoundKind::Quantiles;
+  }
+
+  /// Iterations times observations.
+  double cost(const Values& cell, const results::Statistics& statistics) const override {
+    if (statistics.metrics.empty()) return 0.0;
+    const results::Moments& iterations = statistics.metrics[Iterations].moments;
+    return iterations.mean * static_cast<double>(iterations.n) *
+           static_cast<double>(std::get<std::int64_t>(cell.at("points")));
   }
 
   std::size_t audit_metrics() const override { return audit_metric_count; }
@@ -154,6 +182,9 @@ methods = ["ols", "rr", "rrr"]
       const auto read = settings_of_solver(methods[m].solver);
       const bool reads_k = std::ranges::find(read, "k") != read.end();
       report_method(m, options, reads_k, scratch, sink);
+      const bool is_printed = options.jacobian == solvers::Jacobian::Printed;
+      if (has_plain_noise(settings) && !settings.has_images && !is_printed && is_least_squares(methods[m].solver))
+        report_nees(m, settings, scratch, sink);
       if (key.audit > 0.0 && Audit::covers(methods[m].solver, options)) {
         audit.fill(methods[m].solver, options, scratch.solutions, scratch.audit);
         for (std::size_t i = 0; i < audit_metric_count; ++i)
@@ -196,6 +227,28 @@ methods = ["ols", "rr", "rrr"]
   }
 
  private:
+  /// Normal and of one level, as the bound and the covariance of least squares have it.
+  static bool has_plain_noise(const RangingCell& settings) {
+    return settings.noise->name == "normal" && !settings.has_scores;
+  }
+
+  /// Solvers whose estimates are the least-squares minimum, but for where they stop.
+  static bool is_least_squares(std::string_view solver) {
+    return solver == "ols" || solver == "lm" || solver == "dogleg";
+  }
+
+  static void report_nees(std::size_t m, const RangingCell& settings, RangingScratch& scratch,
+                          results::BlockSink& sink) {
+    const core::SolutionBatch& s = scratch.solutions;
+    scratch.values.resize(s.trials());
+    normalized_squared_errors(scratch.problems, {s.estimate[0], s.estimate[1], s.estimate[2]}, sim::true_position_m,
+                              settings.range_sigma_m, scratch.values);
+    for (std::size_t t = 0; t < s.trials(); ++t)
+      if (s.status[t] != static_cast<std::uint8_t>(core::Status::Converged))
+        scratch.values[t] = std::numeric_limits<double>::quiet_NaN();
+    sink.metric(m, Nees, scratch.values);
+  }
+
   /// Writes f(trial) for every trial into one column of the sink.
   template <class F>
   static void report(std::size_t method, Metric metric, RangingScratch& scratch, results::BlockSink& sink, F&& value) {

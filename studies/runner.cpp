@@ -18,6 +18,7 @@
 
 #include "results/block.hpp"
 #include "results/result_writer.hpp"
+#include "studies/stop_rounds.hpp"
 
 namespace ridgeloc::studies {
 
@@ -66,14 +67,9 @@ BlockWork block_work(const Study& study, const results::Header& header, const st
   return work;
 }
 
-/// Blocks first, first + 1, ..., end - 1 of the cell at a place of the assignment.
-struct Stretch {
-  std::size_t place = 0;
-  std::uint64_t first = 0;
-  std::uint64_t end = 0;
-
-  std::uint64_t tasks() const { return (end - first + blocks_per_task - 1) / blocks_per_task; }
-};
+std::uint64_t tasks_of(const Stretch& stretch) {
+  return (stretch.end - stretch.first + blocks_per_task - 1) / blocks_per_task;
+}
 
 /// One run: what is to be done, and where it goes.
 class Run {
@@ -97,9 +93,6 @@ class Run {
   /// The blocks that are there of every method; they may lack the values of their trials.
   std::vector<Stretch> present() const;
 
-  /// What the stop rule asks for next; nothing when every cell has enough.
-  std::vector<Stretch> next_round() const;
-
   /// Blocks of the assigned cells that are there, of all shares.
   std::uint64_t blocks_kept() const;
 
@@ -108,7 +101,6 @@ class Run {
 
  private:
   void compute_task(const Stretch& stretch, std::uint64_t task);
-  bool is_enough(std::size_t cell) const;
 
   const Study& study_;
   const Plan& plan_;
@@ -147,7 +139,7 @@ void Run::compute_task(const Stretch& stretch, std::uint64_t task) {
 
 void Run::compute(const std::vector<Stretch>& stretches) {
   std::vector<std::uint64_t> tasks_before = {0};
-  for (const Stretch& stretch : stretches) tasks_before.push_back(tasks_before.back() + stretch.tasks());
+  for (const Stretch& stretch : stretches) tasks_before.push_back(tasks_before.back() + tasks_of(stretch));
   tbb::task_group_context context;
   tbb::parallel_for(
       tbb::blocked_range<std::uint64_t>(0, tasks_before.back(), 1),
@@ -184,29 +176,6 @@ std::uint64_t Run::blocks_kept() const {
   return sum;
 }
 
-bool Run::is_enough(std::size_t cell) const {
-  std::vector<results::Statistics> statistics;
-  for (std::size_t m = 0; m < plan_.header.methods.size(); ++m) statistics.push_back(writer_.statistics(cell, m));
-  return precision_of(*study_.stop, plan_.header, statistics).is_enough();
-}
-
-std::vector<Stretch> Run::next_round() const {
-  std::vector<Stretch> round;
-  const std::vector<std::uint64_t> all_looks = looks(*study_.stop, assignment_.block_trials);
-  for (std::size_t place = 0; place < assignment_.cells.size(); ++place) {
-    const std::size_t cell = assignment_.cells[place];
-    const auto extent = writer_.extent(cell, assignment_.methods);
-    const auto next = std::ranges::upper_bound(all_looks, extent.unbroken);
-    if (next == all_looks.end()) continue;
-    // Blocks beyond a look say that it was not enough.
-    const bool at_look =
-        next != all_looks.begin() && *std::prev(next) == extent.unbroken && extent.end == extent.unbroken;
-    if (at_look && is_enough(cell)) continue;
-    round.push_back({place, extent.unbroken, *next});
-  }
-  return round;
-}
-
 }  // namespace
 
 RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment,
@@ -229,7 +198,8 @@ RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& ass
   };
   arena.execute([&] {
     if (!study.stop) return compute(run.everything(), own.blocks());
-    for (auto round = run.present(); !round.empty() && !stop.load(); round = run.next_round()) {
+    StopRounds rounds(study, plan, own, writer);
+    for (auto round = run.present(); !round.empty() && !stop.load(); round = rounds.next()) {
       std::uint64_t more = 0;
       for (const Stretch& stretch : round) more += stretch.end - stretch.first;
       compute(round, more);

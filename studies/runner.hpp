@@ -30,9 +30,8 @@ struct RunOutcome {
 };
 
 /// Computes every block of an assignment that the result does not have yet, for the methods that lack it, on `threads`
-/// threads, and seals the result with all that it has. A stop rule is applied in rounds: cells that are not known well
-/// enough go on to their next look, which depends on their own trials alone, so that neither threads nor interruptions
-/// change where a cell ends.
+/// threads, and seals the result with all that it has. A stop rule is applied in rounds that depend on finished
+/// blocks alone (`StopRounds`), so that neither threads nor interruptions change where a cell ends.
 ///
 /// Blocks are independent tasks; what a block holds does not depend on the number of threads or on the order. When
 /// `stop` becomes true, running blocks end, are kept, and the result stays as it was. `provenance` carries what the

@@ -14,6 +14,10 @@ Setting target_setting(const char* name) {
   return {"stop", name, Kind::Real, 0.0, 1e-15, 1e12, {}, "1", "", false};
 }
 
+Setting cost_setting() {
+  return {"stop", "max_cost", Kind::Real, 0.0, 1.0, 1e18, {}, "1", "", false};
+}
+
 std::uint64_t read_trials(const toml::table& table, const char* name, std::uint64_t least) {
   const Setting setting{
       "stop", name, Kind::Integer, std::int64_t{1}, static_cast<double>(least), static_cast<double>(max_trials), {},
@@ -29,7 +33,8 @@ void read_stop(const toml::table& document, Study& study) {
   const toml::node* node = document.get("stop");
   if (node == nullptr) return;
   const toml::table& table = read_table(*node, "[stop]");
-  check_keys(table, "[stop]", {"metric", "statistic", "methods", "target", "relative", "min_trials", "max_trials"});
+  check_keys(table, "[stop]",
+             {"metric", "statistic", "methods", "target", "relative", "min_trials", "max_trials", "max_cost"});
   std::vector<std::string> quantities;
   for (const auto& metric : study.experiment->schema().metrics) quantities.push_back(metric.name);
   for (const auto& event : study.experiment->schema().events) quantities.push_back(event.name);
@@ -61,6 +66,8 @@ void read_stop(const toml::table& document, Study& study) {
     fail_at(*trials, "[stop] has its own min_trials, which counts instead; set stop.min_trials");
   }
   rule.max_trials = read_trials(table, "max_trials", rule.min_trials);
+  if (const toml::node* cost = table.get("max_cost"))
+    rule.max_cost = std::get<double>(read_setting(*cost, cost_setting(), "stop.max_cost"));
   study.trials = rule.min_trials;
   study.stop = std::move(rule);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "results/interval.hpp"
 #include "results/summary.hpp"
@@ -66,6 +67,12 @@ Precision precision_of(const StopRule& rule, const results::Header& header,
           std::isnan(worst.error_over_target) ? worst.error_over_target : precision.error_over_target;
   }
   return worst;
+}
+
+double priority(const Precision& precision, double cost) {
+  if (!std::isfinite(precision.error_over_target)) return std::numeric_limits<double>::infinity();
+  const double ratio = precision.is_reliable ? precision.error_over_target : std::max(precision.error_over_target, 1.0);
+  return ratio * ratio / cost;
 }
 
 std::uint64_t predicted_trials(const StopRule& rule, const Precision& precision, std::uint64_t trials,

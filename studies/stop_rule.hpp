@@ -19,6 +19,7 @@ struct StopRule {
   bool is_relative = false;
   std::uint64_t min_trials = 0;
   std::uint64_t max_trials = 0;
+  double max_cost = 0.0;  ///< of all cells together, as `Experiment::cost` counts; 0: no limit
 };
 
 /// The numbers of blocks at which a cell is looked at: from those of `min_trials` on, each a quarter of an octave (19
@@ -38,6 +39,13 @@ struct Precision {
 /// over 1.96, which also knows rates of 0 and 1.
 Precision precision_of(const StopRule& rule, const results::Header& header,
                        const std::vector<results::Statistics>& statistics);
+
+/// How much the cells gain together, per unit of cost, if this one goes on. With a standard error of r times its target
+/// (squared, r^2, it falls with 1 over the trials) after a cost of c that is r^2 / c. Going on where it is the largest
+/// makes the sum of r^2 over the cells the smallest for a given cost: as many trials for each as its standard deviation
+/// over the root of the cost of its trials. Infinite where the error is not known; an error that is not reliable counts
+/// as no better than the target.
+double priority(const Precision& precision, double cost);
 
 /// The trials at which a cell is likely to end whose first `trials` trials came to a precision: the first look at which
 /// the error, as it falls with the root of the trials, is below the target.

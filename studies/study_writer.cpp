@@ -73,6 +73,7 @@ void write_figure(const Study& study, const results::FigureSpec& figure, std::st
   if (!figure.methods.empty()) out += fmt::format("methods = {}\n", quoted_list(figure.methods));
   if (!figure.where.empty()) out += fmt::format("where = {}\n", where_table(study, figure.where));
   if (figure.log_y) out += "log_y = true\n";
+  if (!figure.bounds) out += "bounds = false\n";
 }
 
 void write_stop(const StopRule& rule, std::string& out) {
@@ -80,6 +81,7 @@ void write_stop(const StopRule& rule, std::string& out) {
   if (!rule.methods.empty()) out += fmt::format("methods = {}\n", quoted_list(rule.methods));
   out += fmt::format("{} = {}\nmin_trials = {}\nmax_trials = {}\n", rule.is_relative ? "relative" : "target",
                      to_toml(Value(rule.target)), rule.min_trials, rule.max_trials);
+  if (rule.max_cost > 0.0) out += fmt::format("max_cost = {}\n", to_toml(Value(rule.max_cost)));
 }
 
 /// Calls `line` for every setting, with a section heading whenever the section changes.

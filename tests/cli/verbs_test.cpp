@@ -122,8 +122,9 @@ TEST_CASE("audit solves failed trials again and changes nothing") {
 TEST_CASE("export writes the long form, a row per cell, method and metric") {
   const WithResult folder;
   const auto lines = lines_of(folder.ridgeloc("export result.h5 --csv").out);
-  // 4 cells; rrr: 9 metrics, 6 of the audit and 6 events, lm: 6 (no K), 6 and 6, scene: 3, lm - rrr: 4.
-  REQUIRE(lines.size() == 1 + 4 * (21 + 18 + 3 + 4));
+  // 4 cells; rrr: 9 metrics, 6 of the audit and 6 events, lm: 7 (no K, but nees), 6 and 6, scene: 3, lm - rrr: 4, lm /
+  // rrr: 4.
+  REQUIRE(lines.size() == 1 + 4 * (21 + 19 + 3 + 4 + 4));
   CHECK(lines[0].starts_with(
       "points,range_sigma_m,method,metric,unit,n,mean,mcse,sd,min,p05,p25,p50,p75,p95,max,lo,hi,trusted"));
   CHECK(lines[1].starts_with("3,0.1,rrr,error_m,m,"));
@@ -138,10 +139,40 @@ TEST_CASE("export writes a row per trial with every metric") {
   CHECK(lines[0] ==
         "points,range_sigma_m,trial,method,status,error_m,error_all_m,iterations,eta_first,eta_last,eta_mean,"
         "residual_rms_m,crb_m,gdop,condition,squared_error_m2,error_x_m,ref_gap_m,ref_objective_gap,ref_converged,"
-        "ref_same_basin,ref_truth_basin,ref_disagrees");
+        "ref_same_basin,ref_truth_basin,ref_disagrees,nees");
   CHECK(lines[1].starts_with("3,0.1,0,rrr,"));
   CHECK(lines[40].starts_with("3,0.1,39,rrr,"));
   CHECK(lines[41].starts_with("3,0.1,0,lm,"));
+}
+
+TEST_CASE("export compares cells with those at one value of an axis") {
+  const WithResult folder;
+  const auto lines = lines_of(folder.ridgeloc("export result.h5 --against range_sigma_m=0.1").out);
+  CHECK(lines[0].starts_with("points,range_sigma_m,against,method,metric,unit,n,n_against,difference,"));
+  CHECK(lines[1].starts_with("3,0.3,\"points = 3, range_sigma_m = 0.1\",rrr,error_m,m,"));
+  const auto paired = std::ranges::find_if(lines, [](const std::string& line) {
+    return contains(line, ",rrr,error_all_m,m,40,40,") && line.starts_with("5,0.3,");
+  });
+  REQUIRE(paired != lines.end());
+  CHECK((paired->ends_with(",40,0") || paired->ends_with(",40,1")));
+  const auto unknown = folder.ridgeloc("export result.h5 --against points=4");
+  CHECK(unknown.exit_code == 2);
+  CHECK(contains(unknown.error, "points=4: not one value of points (allowed: 3, 5)"));
+  CHECK(folder.ridgeloc("export result.h5 --against points=3 --trials").exit_code == 2);
+}
+
+TEST_CASE("plot draws the bound of errors unless it is not wanted") {
+  const WithResult folder;
+  REQUIRE(folder.ridgeloc("plot result.h5 --y error_all_m --statistic rms --where range_sigma_m=0.1 -o with.svg")
+              .exit_code == 0);
+  CHECK(contains(folder.read("with.svg"), "bound, root mean square"));
+  CHECK(contains(folder.read("with.svg"), "range_sigma_m = 0.1"));
+  REQUIRE(folder.ridgeloc("plot result.h5 --y error_all_m --no-bounds -o without.svg").exit_code == 0);
+  CHECK_FALSE(contains(folder.read("without.svg"), "bound"));
+  REQUIRE(folder.ridgeloc("plot result.h5 --figure study --no-bounds -o study.svg").exit_code == 0);
+  CHECK_FALSE(contains(folder.read("study.svg"), "bound"));
+  REQUIRE(folder.ridgeloc("plot result.h5 --y error_all_m --methods 'lm / rrr' -o ratio.svg").exit_code == 0);
+  CHECK(contains(folder.read("ratio.svg"), "ratio of the"));
 }
 
 TEST_CASE("export writes LaTeX tables of cells by methods") {
@@ -236,7 +267,9 @@ TEST_CASE("plot draws a figure that is asked for instead of the study's") {
               .exit_code == 0);
   const std::string one = folder.read("one.svg");
   CHECK(contains(one, "Noisy"));
-  CHECK_FALSE(contains(one, "range_sigma_m"));
+  // It stands under the title, and not with the lines.
+  CHECK(contains(one, "range_sigma_m = 0.3"));
+  CHECK_FALSE(contains(one, "range_sigma_m = 0.3, rrr"));
   REQUIRE(folder
               .ridgeloc("plot result.h5 --y error_m --y error_all_m --x range_sigma_m --group points --facet method "
                         "--statistic rms --format png")

@@ -126,3 +126,17 @@ TEST_CASE("the root mean square and its error are those of the squares themselve
   CHECK(std::isnan(root_mean_square(Moments{})));
   CHECK(std::isnan(root_mean_square_interval(moments_of(std::vector<double>{1.0})).lo));
 }
+
+TEST_CASE("the range of chi-square means is that of tables") {
+  // 2.5 % and 97.5 % quantiles with 30, 300 and 3000 degrees of freedom.
+  const struct {
+    std::uint64_t n;
+    double low, high;
+  } rows[] = {{10, 16.791, 46.979}, {100, 253.912, 349.874}, {1000, 2850.122, 3153.625}};
+  for (const auto& [n, low, high] : rows) {
+    const Interval range = chi_square_mean_range(n, 3);
+    CHECK(range.lo * static_cast<double>(n) == Approx(low).epsilon(1e-3));
+    CHECK(range.hi * static_cast<double>(n) == Approx(high).epsilon(1e-3));
+  }
+  CHECK(std::isnan(chi_square_mean_range(0, 3).lo));
+}

@@ -96,6 +96,15 @@ TEST_CASE("a sealed result gives back its header") {
   CHECK(figure.methods.empty());
   CHECK(figure.where == header.figures[0].where);
   CHECK(figure.log_y);
+  CHECK_FALSE(figure.bounds);
+  CHECK(read.figures[1].bounds);
+  CHECK(read.schema.metrics[0].bound == "crb_m");
+  CHECK(read.schema.metrics[1].bound.empty());
+  CHECK(read.schema.metrics[0].chi_square == 0);
+  CHECK(read.schema.metrics[1].chi_square == 3);
+  CHECK(read.cells[0].bound == BoundKind::None);
+  CHECK(read.cells[1].bound == BoundKind::Quantiles);
+  CHECK(read.cells[4].bound == BoundKind::RootMeanSquare);
 }
 
 TEST_CASE("a sealed result gives back the totals and the rows behind them") {

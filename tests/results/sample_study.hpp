@@ -87,7 +87,11 @@ inline Header sample_header() {
   header.schema.statuses = 3;
   header.axes = {{"points", "1", "number of points", {std::int64_t{3}, std::int64_t{4}, std::int64_t{7}}},
                  {"sigma_m", "m", "noise", {0.1, 1.0 / 3.0}}};
+  header.schema.metrics[0].bound = "crb_m";
+  header.schema.metrics[1].chi_square = 3;
   header.cells = {{"c0", {0, 0}}, {"c1", {0, 1}}, {"c2", {1, 0}}, {"c3", {1, 1}}, {"c4", {2, 1}}};
+  header.cells[1].bound = BoundKind::Quantiles;
+  header.cells[4].bound = BoundKind::RootMeanSquare;
   header.methods = {{"ols", "m0", "ordinary least squares"},
                     {"rrr k=0.5", "m1", "robust ridge, \"k\" = 0.5"},
                     {"scene", "m2", "what no solver can change"}};
@@ -100,6 +104,7 @@ inline Header sample_header() {
   figure.group = {"sigma_m", "method"};
   figure.where = {{"points", {"3", "7"}}};
   figure.log_y = true;
+  figure.bounds = false;
   FigureSpec distribution;
   distribution.name = "distribution";
   distribution.kind = "ecdf";

@@ -10,6 +10,7 @@
 
 #include "catch.hpp"
 #include "results/interval.hpp"
+#include "results/ratio.hpp"
 #include "results/statistics.hpp"
 
 using namespace ridgeloc::results;
@@ -135,37 +136,62 @@ TEST_CASE("coverage of rates near 0 and 1") {
   }
 }
 
+namespace {
+
+/// Two methods on common trials and their difference: the errors are those of a population, the
+/// second method adds some of its own, with a mean of 0.03.
+struct Pair {
+  MetricStatistics first, second, difference;
+};
+Pair draw_pair(const Population& population, double mean, std::mt19937_64& engine) {
+  const std::vector<double> common = population.draw(engine, mean);
+  const std::vector<double> own = light.draw(engine, 0.1);
+  std::vector<double> second, difference;
+  for (std::size_t t = 0; t < trials; ++t) {
+    second.push_back(common[t] + 0.3 * own[t]);
+    difference.push_back(0.3 * own[t]);
+  }
+  return {statistics_of(common), statistics_of(second), statistics_of(difference)};
+}
+
+}  // namespace
+
 TEST_CASE("coverage of a paired difference") {
   for (const Population& population : {light, heavy}) {
     double width = 0.0;
     double unpaired_width = 0.0;
-    const auto pair = [&](std::mt19937_64& engine, auto&& interval_of) {
-      const std::vector<double> common = population.draw(engine);
-      const std::vector<double> own = light.draw(engine, 0.1);
-      std::vector<double> second, difference;
-      for (std::size_t t = 0; t < trials; ++t) {
-        second.push_back(common[t] + 0.3 * own[t]);
-        difference.push_back(0.3 * own[t]);
-      }
-      return interval_of(moments_of(common), moments_of(second), moments_of(difference));
-    };
     report(std::string("paired difference, ") + population.name,
            coverage(0.03,
                     [&](auto& engine) {
-                      return pair(engine, [&](const Moments&, const Moments&, const Moments& d) {
-                        const Interval interval = mean_interval(d);
-                        width += interval.hi - interval.lo;
-                        return interval;
-                      });
+                      const Interval interval = mean_interval(draw_pair(population, 0.0, engine).difference.moments);
+                      width += interval.hi - interval.lo;
+                      return interval;
                     }),
            coverage(0.03, [&](auto& engine) {
-             return pair(engine, [&](const Moments& a, const Moments& b, const Moments&) {
-               const double half = z * std::hypot(mean_standard_error(a), mean_standard_error(b));
-               unpaired_width += 2.0 * half;
-               return around(b.mean - a.mean, half);
-             });
+             const Pair pair = draw_pair(population, 0.0, engine);
+             const Moments& first = pair.first.moments;
+             const Moments& second = pair.second.moments;
+             const double half = z * std::hypot(mean_standard_error(first), mean_standard_error(second));
+             unpaired_width += 2.0 * half;
+             return around(second.mean - first.mean, half);
            }));
     UNSCOPED_INFO("widths unpaired to paired: " << unpaired_width / width);
     CHECK(unpaired_width > 3.0 * width);
+  }
+}
+
+TEST_CASE("coverage of a ratio of means on common trials") {
+  for (const Population& population : {light, heavy}) {
+    const auto ratio = [&](const Pair& pair, double covariance) {
+      const Estimate estimate = ratio_of_means(pair.second.moments, pair.first.moments, covariance);
+      return Interval{estimate.lo, estimate.hi};
+    };
+    report(std::string("ratio, ") + population.name,
+           coverage(1.03,
+                    [&](auto& engine) {
+                      const Pair pair = draw_pair(population, 1.0, engine);
+                      return ratio(pair, covariance_of_means(pair.second, pair.first, pair.difference));
+                    }),
+           coverage(1.03, [&](auto& engine) { return ratio(draw_pair(population, 1.0, engine), 0.0); }));
   }
 }

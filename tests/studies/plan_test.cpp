@@ -63,6 +63,23 @@ TEST_CASE("the study hash changes with what changes every number, and with nothi
   }
 }
 
+TEST_CASE("cells know what their bounds are good for") {
+  const auto kinds = [](const std::string& sweep, const std::vector<std::string>& overrides = {}) {
+    std::string text;
+    for (const results::CellInfo& cell : plan(sweep, overrides).header.cells)
+      text += std::to_string(static_cast<int>(cell.bound));
+    return text;
+  };
+  static_assert(static_cast<int>(results::BoundKind::RootMeanSquare) == 2);
+  CHECK(kinds("points = [3, 4, 5, 6]") == "1122");
+  CHECK(kinds("points = [3, 4, 5, 6]", {"scene.model=pseudorange"}) == "1112");
+  CHECK(kinds("points = [3, 4, 5, 6]", {"scene.model=pseudorange", "scene.z_mode=fixed"}) == "1122");
+  CHECK(kinds("points = [3, 4, 5]\nv_mode = [\"fixed\", \"prior\"]", {"scene.model=pseudorange"}) == "111122");
+  CHECK(kinds("points = [3, 6]", {"scene.z_mode=fixed"}) == "12");
+  CHECK(kinds("noise_model = [\"normal\", \"student_t\"]") == "20");
+  CHECK(kinds("scores = [\"none\", \"random\"]") == "20");
+}
+
 TEST_CASE("a cell's hash is that of its values, wherever it stands in the grid") {
   const Plan narrow = plan("points = [5]\nrange_sigma_m = [0.3]");
   const Plan wide = plan("points = [3, 5]\nrange_sigma_m = [0.1, 0.3, 0.5]");

@@ -36,7 +36,7 @@ Study study(const std::vector<std::string>& overrides = {}) {
 experiment = "ranging"
 trials = 10000
 [store]
-trial_columns_mib = 1.75
+trial_columns_mib = 1.9
 [sweep]
 points = [3, 5]
 range_sigma_m = [0.1, 0.5]
@@ -146,7 +146,7 @@ TEST_CASE("a wider study computes only what its result lacks, and ends in the sa
 experiment = "ranging"
 trials = 10000
 [store]
-trial_columns_mib = 1.75
+trial_columns_mib = 1.9
 [sweep]
 points = [3, 5]
 range_sigma_m = [0.5]
@@ -174,7 +174,7 @@ TEST_CASE("totals do not depend on how trials were cut into calls of the experim
   run(study(), folder / "whole.h5", 1);
   const auto half = results::read_trials(folder / "half.h5", 3, 0);
   const auto whole = results::read_trials(folder / "whole.h5", 3, 0);
-  REQUIRE(half.trial.size() == 4096);  // one block of columns fits into 1.75 MiB
+  REQUIRE(half.trial.size() == 4096);  // one block of columns fits into 1.9 MiB
   CHECK(half.status == whole.status);
   CHECK(half.metrics[1] == whole.metrics[1]);
 }

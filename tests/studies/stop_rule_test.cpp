@@ -141,6 +141,66 @@ TEST_CASE("a stop rule that was interrupted ends in the same bytes") {
   }
 }
 
+TEST_CASE("a cell is worth its squared error per cost, and first of all where the error is not known") {
+  CHECK(priority({2.0, true}, 100.0) == 0.04);
+  CHECK(priority({2.0, true}, 100.0) > priority({2.0, true}, 200.0));
+  CHECK(priority({2.0, true}, 100.0) < priority({3.0, true}, 200.0));
+  CHECK(priority({0.5, false}, 100.0) == 0.01);
+  CHECK(std::isinf(priority({std::nan(""), true}, 100.0)));
+}
+
+TEST_CASE("a limit of the cost is spent in the same way by any threads, interrupted or not") {
+  // Five times what the first looks cost, and no cell reaches its target.
+  const Study s =
+      study("metric = \"error_all_m\"\nmethods = \"rrr\"\nrelative = 1e-6\nmax_trials = 4000000\nmax_cost = 8e6\n");
+  const File file;
+  const std::atomic<bool> never{false};
+  std::string digest;
+  for (const int threads : {1, 2, 5}) {
+    file.remove();
+    RunProgress progress;
+    CHECK(run(s, file.path, threads, never, progress).sealed);
+    const std::string now = results::data_digest(file.path);
+    CHECK((digest.empty() || digest == now));
+    digest = now;
+  }
+  const results::Summary summary = results::read_result(file.path);
+  const auto cost = [&](std::size_t cell) {
+    double sum = 0.0;
+    for (std::size_t method = 0; method < 2; ++method)
+      sum += s.experiment->cost(make_plan(s).cells[cell].values, summary.of(cell, method));
+    return sum;
+  };
+  double spent = 0.0;
+  double most = 0.0;
+  for (std::size_t cell = 0; cell < 4; ++cell) {
+    spent += cost(cell);
+    most = std::max(most, cost(cell));
+  }
+  CHECK(spent >= 8e6);
+  CHECK(spent < 8e6 + most);
+  // Points 4 and 7, of which the latter needs more trials for the same relative error.
+  CHECK(summary.of(2, 1).trials > summary.of(1, 1).trials);
+  for (const std::uint64_t blocks : {2, 7, 12}) {
+    CAPTURE(blocks);
+    file.remove();
+    std::atomic<bool> stop{false};
+    RunProgress progress;
+    std::jthread watcher([&](const std::stop_token& done) {
+      while (progress.blocks_done.load() < blocks && !done.stop_requested()) std::this_thread::yield();
+      stop.store(true);
+    });
+    run(s, file.path, 1, stop, progress);
+    watcher.request_stop();
+    watcher.join();
+    RunProgress rest;
+    CHECK(run(s, file.path, 2, never, rest).sealed);
+    CHECK(results::data_digest(file.path) == digest);
+  }
+  RunProgress progress;
+  CHECK(run(s, file.path, 1, never, progress).unchanged);
+}
+
 TEST_CASE("what cannot be reached ends at the largest number of trials") {
   const Study s = study("metric = \"converged\"\ntarget = 1e-9\nmin_trials = 1\nmax_trials = 9000\n");
   const File file;
@@ -165,6 +225,11 @@ TEST_CASE("a stop rule is written and read again; its errors say what is allowed
   CHECK(refusal("metric = \"error_m\"\ntarget = 0\nmax_trials = 9000\n").find("stop.target = 0 is not allowed") !=
         std::string::npos);
   CHECK(refusal("metric = \"error_m\"\ntarget = 1\n").find("[stop] lacks max_trials") != std::string::npos);
+  CHECK(refusal("metric = \"error_m\"\ntarget = 1\nmax_trials = 9000\nmax_cost = 0\n")
+            .find("stop.max_cost = 0 is not allowed") != std::string::npos);
+  const Study limited = study(precise + "max_cost = 2e6\n");
+  CHECK(limited.stop->max_cost == 2e6);
+  CHECK(resolved_toml(read_study({"s", "s.toml", resolved_toml(limited)})) == resolved_toml(limited));
   CHECK(refusal("metric = \"error_m\"\ntarget = 1\nmax_trials = 3999\n").find("from 4000") != std::string::npos);
   CHECK(refusal("metric = \"error_m\"\ntarget = 1\nmax_trials = 9000\nmethods = \"ols\"\n").find("methods") !=
         std::string::npos);

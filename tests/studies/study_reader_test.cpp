@@ -283,6 +283,17 @@ TEST_CASE("every option of a noise model is a setting that is read if the model 
   }
 }
 
+TEST_CASE("a figure can do without bounds") {
+  const std::string text =
+      "experiment = \"ranging\"\n[sweep]\npoints = [3, 5]\n[[method]]\nsolver = \"rr\"\n[[figure]]\n";
+  const std::string curve = text + "x = \"points\"\ny = \"error_m\"\n";
+  CHECK(read(curve).figures[0].bounds);
+  const std::string without = resolved_toml(read(curve + "bounds = false\n"));
+  CHECK_FALSE(read(without).figures[0].bounds);
+  CHECK(error_of(text + "kind = \"ecdf\"\ny = \"error_m\"\nbounds = true\n")
+            .find("figure.bounds does not go with kind = \"ecdf\"") != std::string::npos);
+}
+
 TEST_CASE("a figure is restricted to values of the sweep") {
   const std::string text = R"(experiment = "ranging"
 [sweep]
