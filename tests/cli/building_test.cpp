@@ -125,7 +125,7 @@ TEST_CASE("a bad map ends the program with one line that says where") {
       {"class = \"bin\"", "class = \"bim\"",
        "ridgeloc: hall.toml:21: object 3: unknown class \"bim\" (did you mean \"bin\"?)\n"},
       {"[12, 6, 1.05]", "[13, 6, 1.05]", "ridgeloc: hall.toml:17: object 2 at [13, 6] lies outside of every area\n"},
-      {"y_m = [0, 8]", "y_m = [0, 8", "ridgeloc: hall.toml:5: not valid TOML: "},
+      {"y_m = [0, 8]", "y_m = [0, 8", "ridgeloc: hall.toml:6: not valid TOML: "},
   };
   for (const Case& bad : cases) {
     std::string text = map;
@@ -143,7 +143,7 @@ TEST_CASE("a bad map ends the program with one line that says where") {
   REQUIRE(folder.shell("rm hall.toml").exit_code == 0);
   const Outcome run = folder.ridgeloc("run study.toml");
   CHECK(run.exit_code == 2);
-  CHECK(run.error == "ridgeloc: study.toml:5: map.file: there is no file hall.toml\n");
+  CHECK(run.error == "ridgeloc: study.toml:5: building.map.file: there is no file hall.toml\n");
 }
 
 TEST_CASE("what a map never shows ends the program with one line") {
