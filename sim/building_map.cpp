@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace ridgeloc::sim {
 
@@ -98,6 +99,12 @@ std::vector<Wall> all_walls(const BuildingMap& map) {
   return walls;
 }
 
+double distance_m(const PlanPoint& a, const PlanPoint& b) {
+  const double dx = a[0] - b[0];
+  const double dy = a[1] - b[1];
+  return std::sqrt(dx * dx + dy * dy);
+}
+
 bool overlap(const Rectangle& a, const Rectangle& b) {
   const auto meet = [](const std::array<double, 2>& s, const std::array<double, 2>& t) {
     return s[0] < t[1] && t[0] < s[1];
@@ -106,9 +113,40 @@ bool overlap(const Rectangle& a, const Rectangle& b) {
 }
 
 bool overlap(const MapObject& a, const MapObject& b) {
-  const double apart = std::hypot(a.centre_m[0] - b.centre_m[0], a.centre_m[1] - b.centre_m[1]);
-  return apart < 0.5 * (a.width_m + b.width_m) &&
+  // Squares: hypot is not the same to the last bit everywhere, and random maps depend on the answer.
+  const double dx = a.centre_m[0] - b.centre_m[0];
+  const double dy = a.centre_m[1] - b.centre_m[1];
+  const double reach = 0.5 * (a.width_m + b.width_m);
+  return dx * dx + dy * dy < reach * reach &&
          std::fabs(a.centre_m[2] - b.centre_m[2]) < 0.5 * (a.height_m + b.height_m);
+}
+
+std::optional<std::array<std::size_t, 2>> first_overlap(const std::vector<MapObject>& objects) {
+  const auto length = [&](std::size_t axis) {
+    const auto at = [axis](const MapObject& object) { return object.centre_m[axis]; };
+    const auto [low, high] = std::ranges::minmax_element(objects, {}, at);
+    return objects.empty() ? 0.0 : at(*high) - at(*low);
+  };
+  const std::size_t axis = length(0) > length(1) ? 0 : 1;
+  const auto low = [&](std::size_t i) { return objects[i].centre_m[axis] - 0.5 * objects[i].width_m; };
+  const auto high = [&](std::size_t i) { return objects[i].centre_m[axis] + 0.5 * objects[i].width_m; };
+  std::vector<std::size_t> order(objects.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, low);
+
+  std::optional<std::array<std::size_t, 2>> first;
+  std::vector<std::size_t> open;  // those that reach as far as the next one begins
+  for (const std::size_t i : order) {
+    constexpr double rounding_m = 1e-6;
+    std::erase_if(open, [&](std::size_t j) { return high(j) < low(i) - rounding_m; });
+    for (const std::size_t j : open) {
+      if (!overlap(objects[i], objects[j])) continue;
+      const std::array<std::size_t, 2> found = {std::max(i, j), std::min(i, j)};
+      first = first ? std::min(*first, found) : found;
+    }
+    open.push_back(i);
+  }
+  return first;
 }
 
 }  // namespace ridgeloc::sim

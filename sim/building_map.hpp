@@ -78,11 +78,18 @@ struct BuildingMap {
 /// Every wall of a map: its own, and the borders of areas and openings where these do not touch another one.
 std::vector<Wall> all_walls(const BuildingMap& map);
 
+/// Distance on the floor plan (m).
+double distance_m(const PlanPoint& a, const PlanPoint& b);
+
 /// Whether the insides of two rectangles meet.
 bool overlap(const Rectangle& a, const Rectangle& b);
 
 /// Whether two objects stand in one another: their widths meet on the floor plan, taken around their centres, and their
 /// heights do.
 bool overlap(const MapObject& a, const MapObject& b);
+
+/// The first object that overlaps one before it, and the first such one: {number, smaller number}. The time grows with
+/// n log n, unless objects lie over each other along the longer side of their map.
+std::optional<std::array<std::size_t, 2>> first_overlap(const std::vector<MapObject>& objects);
 
 }  // namespace ridgeloc::sim

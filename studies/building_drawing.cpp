@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "studies/floor_drawing.hpp"
 
 namespace ridgeloc::studies {
@@ -20,7 +17,7 @@ constexpr double near_truth_m = 2.0;
 PlanMark tile_of(const sim::BuildingMap& map, const StartEnd& end, const std::array<double, 2>& truth) {
   if (end.status != core::Status::Converged) return PlanMark::LostTile;
   if (!map.is_inside(end.place_m)) return PlanMark::OutsideTile;
-  const bool right = std::hypot(end.place_m[0] - truth[0], end.place_m[1] - truth[1]) < near_truth_m;
+  const bool right = sim::distance_m(end.place_m, truth) < near_truth_m;
   return right ? PlanMark::GoodTile : PlanMark::WrongTile;
 }
 

@@ -1,7 +1,5 @@
 #include "studies/building_outcome.hpp"
 
-#include <cmath>
-
 #include "core/status.hpp"
 #include "solvers/solver.hpp"
 #include "studies/building_trials.hpp"
@@ -35,9 +33,7 @@ void finish(const PhotoRecord& photo, PhotoOutcome& outcome) {
   outcome.x_m /= n;
   outcome.y_m /= n;
   outcome.iterations /= n;
-  const double dx = outcome.x_m - photo.truth_m[0];
-  const double dy = outcome.y_m - photo.truth_m[1];
-  outcome.error_m = std::sqrt(dx * dx + dy * dy);
+  outcome.error_m = sim::distance_m({outcome.x_m, outcome.y_m}, photo.truth_m);
 }
 
 }  // namespace

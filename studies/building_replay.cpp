@@ -1,7 +1,6 @@
 #include "studies/building_replay.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "core/status.hpp"
@@ -45,9 +44,8 @@ DataTable starts(const sim::BuildingMap& map, const BuildingScratch& scratch) {
     for (std::size_t j = 0; j < start.points; ++j) {
       objects += (j == 0 ? "" : ", ") + map.objects[scratch.observed[start.first + j].object].name;
     }
-    const auto& truth = scratch.photos[0].truth_m;
     table.add_row(number(i + 1), start.place_m[0], start.place_m[1],
-                  std::hypot(start.place_m[0] - truth[0], start.place_m[1] - truth[1]), objects);
+                  sim::distance_m(start.place_m, scratch.photos[0].truth_m), objects);
   }
   return table;
 }
@@ -59,7 +57,7 @@ DataTable ends(const sim::BuildingMap& map, const BuildingScratch& scratch) {
     const StartEnd& end = scratch.ends[i];
     table.add_row(number(i + 1), std::string(core::status_names[static_cast<std::size_t>(end.status)]),
                   map.is_inside(end.place_m), end.iterations, end.place_m[0], end.place_m[1],
-                  std::hypot(end.place_m[0] - truth[0], end.place_m[1] - truth[1]));
+                  sim::distance_m(end.place_m, truth));
   }
   return table;
 }

@@ -23,6 +23,11 @@ constexpr double farthest_m = 1e5;
 constexpr double smallest_m = 1e-3;
 constexpr double largest_m = 1e3;
 
+/// More would take minutes to check and longer to look at; random maps stay below.
+constexpr std::size_t most_objects = 200'000;
+constexpr std::size_t most_classes = 1'000;
+constexpr std::size_t most_of_others = 10'000;
+
 std::vector<double> read_numbers(const toml::node& node, const std::string& label, std::size_t count, double low,
                                  double high) {
   const toml::array* list = node.as_array();
@@ -92,11 +97,16 @@ class MapReader {
   sim::BuildingMap take() { return std::move(map_); }
 
  private:
-  std::vector<Entry> entries(const char* kind, const std::vector<std::string>& keys) const {
+  std::vector<Entry> entries(const char* kind, const std::vector<std::string>& keys,
+                             std::size_t most = most_of_others) const {
     std::vector<Entry> list;
     const toml::node* node = document_.get(kind);
     if (node == nullptr) return list;
-    for (const toml::table* table : read_tables(*node, kind)) list.emplace_back(*table, kind, list.size() + 1, keys);
+    const auto tables = read_tables(*node, kind);
+    if (tables.size() > most) {
+      fail_at(*tables[most], fmt::format("the map has {} [[{}]]; at most {} are allowed", tables.size(), kind, most));
+    }
+    for (const toml::table* table : tables) list.emplace_back(*table, kind, list.size() + 1, keys);
     return list;
   }
 
@@ -106,8 +116,9 @@ class MapReader {
     const auto side = [&entry](const char* key) {
       const auto v = read_numbers(entry.get(key), entry.key(key), 2, -farthest_m, farthest_m);
       if (!(v[1] - v[0] >= smallest_m)) {
-        fail_at(entry.get(key), fmt::format("{} = [{}, {}] is not allowed: the second must be larger than the first",
-                                            entry.key(key), v[0], v[1]));
+        fail_at(entry.get(key),
+                fmt::format("{} = [{}, {}] is not allowed: the second must be larger than the first, by {} at least",
+                            entry.key(key), v[0], v[1], smallest_m));
       }
       return std::array<double, 2>{v[0], v[1]};
     };
@@ -137,12 +148,14 @@ class MapReader {
         const auto v = read_numbers(entry.get(key), entry.key(key), 2, -farthest_m, farthest_m);
         return sim::PlanPoint{v[0], v[1]};
       };
-      map_.walls.push_back({end("from_m"), end("to_m")});
+      const sim::Wall wall{end("from_m"), end("to_m")};
+      if (wall.from_m == wall.to_m) fail_at(entry.table(), fmt::format("{} ends where it begins", entry.label()));
+      map_.walls.push_back(wall);
     }
   }
 
   void read_classes() {
-    for (const Entry& entry : entries("class", {"name", "width_m", "height_m", "recall"})) {
+    for (const Entry& entry : entries("class", {"name", "width_m", "height_m", "recall"}, most_classes)) {
       sim::ObjectClass c;
       c.name = read_text(entry.get("name"), entry.key("name"));
       if (std::ranges::find(map_.classes, c.name, &sim::ObjectClass::name) != map_.classes.end()) {
@@ -161,7 +174,9 @@ class MapReader {
   void read_objects() {
     std::vector<std::string> names;
     for (const sim::ObjectClass& c : map_.classes) names.push_back(c.name);
-    for (const Entry& entry : entries("object", {"name", "class", "at_m", "width_m", "height_m"})) {
+    const std::vector<Entry> list = entries("object", {"name", "class", "at_m", "width_m", "height_m"}, most_objects);
+    std::set<std::string> known;
+    for (const Entry& entry : list) {
       sim::MapObject object;
       const toml::node& class_node = entry.get("class");
       const std::string class_name = read_text(class_node, entry.key("class"));
@@ -181,21 +196,20 @@ class MapReader {
       };
       object.width_m = size("width_m", c.width_m);
       object.height_m = size("height_m", c.height_m);
-      check_place(entry, object);
+      if (!map_.is_inside({object.centre_m[0], object.centre_m[1]})) {
+        fail_at(entry.table(), fmt::format("{} at [{}, {}] lies outside of every area", entry.label(),
+                                           object.centre_m[0], object.centre_m[1]));
+      }
+      if (!known.insert(object.name).second) {
+        fail_at(entry.table(), fmt::format("object \"{}\" is there twice", object.name));
+      }
       map_.objects.push_back(object);
     }
     if (map_.objects.empty()) fail_whole("the map has no [[object]]; without objects no photo shows anything");
-  }
-
-  void check_place(const Entry& entry, const sim::MapObject& object) const {
-    if (!map_.is_inside({object.centre_m[0], object.centre_m[1]})) {
-      fail_at(entry.table(), fmt::format("{} at [{}, {}] lies outside of every area", entry.label(), object.centre_m[0],
-                                         object.centre_m[1]));
-    }
-    for (const sim::MapObject& other : map_.objects) {
-      if (other.name == object.name) fail_at(entry.table(), fmt::format("{} is there twice", entry.label()));
-      if (!sim::overlap(object, other)) continue;
-      fail_at(entry.table(), fmt::format("{} overlaps object \"{}\"", entry.label(), other.name));
+    if (const auto found = sim::first_overlap(map_.objects)) {
+      const auto [later, earlier] = *found;
+      fail_at(list[later].table(),
+              fmt::format("{} overlaps object \"{}\"", list[later].label(), map_.objects[earlier].name));
     }
   }
 

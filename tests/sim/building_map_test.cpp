@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "catch.hpp"
+#include "core/random.hpp"
 #include "tests/sim/hall.hpp"
 
 using namespace ridgeloc;
@@ -128,6 +129,30 @@ TEST_CASE("objects overlap where both their widths and their heights meet") {
   CHECK_FALSE(meets(0.6, 0.6, 0.4));   // 0.85 m away
   CHECK_FALSE(meets(0.0, 0.0, 1.01));  // a clock above the table
   CHECK(meets(0.0, 0.0, 0.99));
+}
+
+TEST_CASE("the first of many overlaps is the one that comparing every pair finds") {
+  const core::Stream stream(7, "objects");
+  for (std::uint64_t round = 0; round < 200; ++round) {
+    // Long in x or in y; the more they are the more overlap.
+    const double length = round % 2 == 0 ? 60.0 : 3.0;
+    std::vector<sim::MapObject> objects;
+    for (std::uint64_t i = 0; i < 2 + round / 5; ++i) {
+      const auto u = core::uniform_triple(stream.block(round, 2 * i));
+      const auto w = core::uniform_triple(stream.block(round, 2 * i + 1));
+      objects.push_back(object_at(length * u[0], (63.0 - length) * u[1], 3.0 * u[2], 2.0 * w[0], w[1]));
+    }
+    std::optional<std::array<std::size_t, 2>> expected;
+    for (std::size_t i = 0; i < objects.size() && !expected; ++i) {
+      for (std::size_t j = 0; j < i && !expected; ++j) {
+        if (overlap(objects[i], objects[j])) expected = {{i, j}};
+      }
+    }
+    CAPTURE(round);
+    CHECK(sim::first_overlap(objects) == expected);
+  }
+  CHECK_FALSE(sim::first_overlap({}));
+  CHECK_FALSE(sim::first_overlap({object_at(0, 0, 0)}));
 }
 
 TEST_CASE("walls are the borders that touch nothing, and the map's own") {

@@ -166,7 +166,7 @@ TEST_CASE("what is wrong with a map file is said in one line with its place") {
       {with("x_m = [4, 6]\ny_m = [2, 8]", "x_m = [4, 6]\ny_m = [1.9, 8]"),
        "map.toml:6: area 2 overlaps area \"corridor\"; let areas touch along a border instead"},
       {with("y_m = [2, 8]", "y_m = [8, 2]"),
-       "map.toml:8: area 2: y_m = [8, 2] is not allowed: the second must be larger than the first"},
+       "map.toml:8: area 2: y_m = [8, 2] is not allowed: the second must be larger than the first, by 0.001 at least"},
       {with("y_m = [2, 8]", "y_m = [2, 8, 9]"),
        "map.toml:8: area 2: y_m = [ 2, 8, 9 ] is not allowed: it takes a list of 2 numbers from -100000 to 100000"},
       {with("y_m = [2, 8]", "y_m = [2, nan]"), "map.toml:8: area 2: y_m = [ 2, nan ] is not allowed"},
@@ -175,6 +175,7 @@ TEST_CASE("what is wrong with a map file is said in one line with its place") {
       {with("y_m = [2, 8]", "y = [2, 8]"), "map.toml:8: unknown key \"y\" in [[area]] (did you mean \"y_m\"?)"},
       {with("y_m = [2, 8]\n", ""), "map.toml:6: area 2 lacks y_m"},
       {with("to_m = [3, 1]", "to_m = [3, \"1\"]"), "map.toml:15: wall 1: to_m = [ 3, '1' ] is not allowed"},
+      {with("to_m = [3, 1]", "to_m = [3, 0]"), "map.toml:13: wall 1 ends where it begins"},
       {with("width_m = 0.9", "width_m = 0"),
        "map.toml:18: class \"door\": width_m = 0 is not allowed: it takes a number from 0.001 to 1000"},
       {with("width_m = 0.9", "width_m = \"wide\""), "map.toml:18: class \"door\": width_m = 'wide' is not allowed"},
@@ -192,6 +193,7 @@ TEST_CASE("what is wrong with a map file is said in one line with its place") {
       {with("at_m = [5, 7, 0.3]", "at_m = [0.2, 1, 0.3]"), "map.toml:29: object 2 overlaps object \"front door\""},
       {with("[[object]]\nclass", "[[object]]\nname = \"front door\"\nclass"),
        "map.toml:29: object \"front door\" is there twice"},
+      {with("name = \"front door\"", "name = \"bin 2\""), "map.toml:29: object \"bin 2\" is there twice"},
       {with("height_m = 0.7", "height_m = 1001"), "map.toml:32: object 2: height_m = 1001 is not allowed"},
       {with("height_m = 0.7", "hight_m = 0.7"),
        "map.toml:32: unknown key \"hight_m\" in [[object]] (did you mean \"height_m\"?)"},
@@ -209,6 +211,14 @@ TEST_CASE("what is wrong with a map file is said in one line with its place") {
   CHECK(error.find(message) != std::string::npos);
   CHECK(error.starts_with("map.toml:"));
   CHECK(error.find('\n') == std::string::npos);
+}
+
+TEST_CASE("a map of too many parts is refused") {
+  std::string text = valid;
+  for (int i = 0; i < 1000; ++i)
+    text += "[[class]]\nname = \"c" + std::to_string(i) + "\"\nwidth_m = 1\nheight_m = 1\n";
+  CHECK(MapFolder(text).error_of(from_file).find("the map has 1002 [[class]]; at most 1000 are allowed") !=
+        std::string::npos);
 }
 
 TEST_CASE("what is wrong with the choice of a map is said in one line with its place") {
