@@ -46,11 +46,11 @@ CameraPose PhotoTaker::draw_pose(std::uint64_t trial, std::uint64_t attempt) con
   return pose;
 }
 
-bool PhotoTaker::counts(const Photo& photo, std::size_t detections) const {
-  if (detections != 0 && photo.detections.size() != detections) return false;
+bool PhotoTaker::is_narrow(const Photo& photo) const {
   if (options_.widest_spread_deg >= 180.0 || photo.detections.empty()) return true;
   const auto [left, right] = std::ranges::minmax(photo.detections, {}, [](const Detection& d) { return d.box.x_px; });
-  // The angle between two directions is below a bound if its tangent is: both lie within the field of view.
+  // d <= w for angles of 0 to 180 degrees is sin d cos w <= cos d sin w; the tangents of the two directions give a
+  // multiple of sin d and cos d.
   const double focal_px = photo.image_distance_mm * options_.camera.pixels_per_mm();
   const core::SinCos<double> widest = core::sin_cos_turns(options_.widest_spread_deg * core::turns_per_degree);
   const double a = left.box.x_px / focal_px;
@@ -72,7 +72,9 @@ bool PhotoTaker::take_one(std::uint64_t trial, std::uint64_t attempt, Photo& pho
 
 bool PhotoTaker::take(std::uint64_t trial, std::size_t detections, Photo& photo) const {
   for (std::uint64_t attempt = 0; attempt < most_attempts; ++attempt) {
-    if (take_one(trial, attempt, photo) && counts(photo, detections)) return true;
+    if (!take_one(trial, attempt, photo)) continue;
+    if (detections != 0 && photo.detections.size() != detections) continue;
+    if (is_narrow(photo)) return true;
   }
   return false;
 }

@@ -34,7 +34,7 @@ struct Photo {
   std::uint64_t attempts = 0;         ///< photos taken until one counted, this one included
 };
 
-/// Takes photos: positions uniform over the areas, headings uniform over the circle.
+/// Takes photos: in an area chosen by its size, uniformly off its border, in a uniform direction.
 ///
 /// A trial takes photos until one counts; which one that is depends on the trial alone. Thread safe; map and options
 /// must live as long.
@@ -50,11 +50,13 @@ class PhotoTaker {
   /// photo, if it shows too little.
   bool take_one(std::uint64_t trial, std::uint64_t attempt, Photo& photo) const;
 
+  /// Whether the detections of a photo lie no further apart than `widest_spread_deg`.
+  bool is_narrow(const Photo& photo) const;
+
   static constexpr std::uint64_t most_attempts = 200'000;
 
  private:
   CameraPose draw_pose(std::uint64_t trial, std::uint64_t attempt) const;
-  bool counts(const Photo& photo, std::size_t detections) const;
 
   const BuildingMap& map_;
   const PhotoOptions& options_;

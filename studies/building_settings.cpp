@@ -33,6 +33,11 @@ Setting choice(const char* section, const char* name, const std::array<std::stri
   return {section, name, Kind::Choice, std::string(names[standard]), 0, 0, strings(names), "1", description};
 }
 
+Setting read_if(const Condition& condition, Setting setting) {
+  setting.read_if = condition;
+  return setting;
+}
+
 template <class T>
 const T& get(const Values& values, std::string_view name) {
   return std::get<T>(values.find(name)->second);
@@ -65,30 +70,24 @@ std::vector<Setting> make_building_settings() {
   settings.push_back(
       choice("photo", "scores", score_names, 0, "scores that solvers weigh with: none, or the detector's"));
   std::ranges::move(detector_settings(), std::back_inserter(settings));
-  const Condition from_grid{"starts", {std::string(start_places_names[1])}};
+  std::ranges::move(recognition_settings(), std::back_inserter(settings));
+  const Condition if_coarse{"starts", {std::string(start_places_names[0])}};
+  const Condition if_grid{"starts", {std::string(start_places_names[1])}};
   const std::vector<Setting> own = {
       choice("coarse", "starts", start_places_names, 0,
              "where solvers start: at coarse positions, or all over the map with the objects rightly told"),
-      {"coarse",
-       "start_spacing_m",
-       Kind::Real,
-       1.0,
-       0.05,
-       100,
-       {},
-       "m",
-       "distance of the starts of starts = grid",
-       false,
-       from_grid},
-      real("coarse", "grid_spacing_m", 2.0, 0.1, 100, "m", "distance of the places that map graphs are made for"),
-      integer("coarse", "grid_headings", 8, 1, 360, "headings of each place"),
-      integer("coarse", "coarse_topk", coarse.top, 1, 100, "most coarse positions of a photo"),
-      real("coarse", "agreement_weight", coarse.agreement_weight, 0, 1, "1",
-           "what agreeing relations count beside matched objects (lambda)"),
-      real("coarse", "unmatched_penalty", coarse.unmatched_penalty, 0, 10, "1",
-           "what objects of a map graph count that are not in the photo (mu)"),
-      choice("coarse", "coarse_ties", solvers::coarse_ties_names, static_cast<std::size_t>(coarse.ties),
-             "equal scores: by the sizes of boxes, or by the order of the grid"),
+      read_if(if_grid, real("coarse", "start_spacing_m", 1.0, 0.05, 100, "m", "distance of these places")),
+      read_if(if_coarse, real("coarse", "grid_spacing_m", 2.0, 0.1, 100, "m",
+                              "distance of the places that map graphs are made for")),
+      read_if(if_coarse, integer("coarse", "grid_headings", 8, 1, 360, "headings of each place")),
+      read_if(if_coarse, integer("coarse", "coarse_topk", coarse.top, 1, 100, "most coarse positions of a photo")),
+      read_if(if_coarse, real("coarse", "agreement_weight", coarse.agreement_weight, 0, 1, "1",
+                              "what agreeing relations count beside matched objects (lambda)")),
+      read_if(if_coarse, real("coarse", "unmatched_penalty", coarse.unmatched_penalty, 0, 10, "1",
+                              "what objects of a map graph count that are not in the photo (mu)")),
+      read_if(if_coarse,
+              choice("coarse", "coarse_ties", solvers::coarse_ties_names, static_cast<std::size_t>(coarse.ties),
+                     "equal scores: by the sizes of boxes, or by the order of the grid")),
   };
   settings.insert(settings.end(), own.begin(), own.end());
   for (Setting& setting : solver_settings()) {
@@ -149,11 +148,19 @@ std::vector<Setting> detector_settings() {
            "standard deviation of a box' centre beside that, as a share of its size"),
       real("detector", "height_sigma", detector.height_sigma, 0, 1, "1",
            "standard deviation of an object's height in the map, as a share of it"),
-      real("detector", "false_class_rate", detector.false_class_rate, 0, 1, "1",
-           "share of detections taken for another class"),
-      real("detector", "score_low", detector.score_low, 0.01, 1, "1", "smallest score"),
-      real("detector", "score_link", detector.score_link, 0, 1, "1",
-           "share of scores that tell of the error of the box; the others tell nothing"),
+  };
+}
+
+std::vector<Setting> recognition_settings() {
+  const sim::DetectorModel detector;
+  const Condition if_coarse{"starts", {std::string(start_places_names[0])}};
+  const Condition if_scores{"scores", {std::string(score_names[1])}};
+  return {
+      read_if(if_coarse, real("detector", "false_class_rate", detector.false_class_rate, 0, 1, "1",
+                              "share of detections taken for another class")),
+      read_if(if_scores, real("detector", "score_low", detector.score_low, 0.01, 1, "1", "smallest score")),
+      read_if(if_scores, real("detector", "score_link", detector.score_link, 0, 1, "1",
+                              "share of scores that tell of the error of the box; the others tell nothing")),
   };
 }
 
@@ -180,6 +187,7 @@ PhotoCell::PhotoCell(const Values& values) : map(&get<Building>(values, "map").m
   detector.outlier_size = get<Interval>(values, "outlier_size");
   detector.centre_sigma = number(values, "centre_sigma");
   detector.height_sigma = number(values, "height_sigma");
+  if (!values.contains("false_class_rate")) return;
   detector.false_class_rate = number(values, "false_class_rate");
   detector.score_low = number(values, "score_low");
   detector.score_link = number(values, "score_link");

@@ -13,7 +13,10 @@ namespace ridgeloc::studies {
 std::vector<Setting> photo_settings();
 std::vector<Setting> detector_settings();
 
-/// What a cell says about them. Valid as long as the values.
+/// Section detector too: what detections are taken for and how they score, which only those read who locate photos.
+std::vector<Setting> recognition_settings();
+
+/// What a cell says about them; the last ones stay at their defaults where it has none. Valid as long as the values.
 struct PhotoCell {
   explicit PhotoCell(const Values& values);
   const sim::BuildingMap* map;

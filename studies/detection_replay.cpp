@@ -26,11 +26,11 @@ DataTable object_table(const sim::BuildingMap& map, const sim::View& view) {
   return table;
 }
 
-DataTable outcome(const sim::BuildingMap& map, const Sighting& sighting) {
-  DataTable table{"outcome",
-                  {"status", "taken_for", "box_x_px", "box_y_px", "box_width_px", "box_height_px", "score",
-                   "pseudorange_m", "pseudorange_error_m"},
-                  {}};
+DataTable outcome(const Sighting& sighting) {
+  DataTable table{
+      "outcome",
+      {"status", "box_x_px", "box_y_px", "box_width_px", "box_height_px", "pseudorange_m", "pseudorange_error_m"},
+      {}};
   if (!sighting.detection) {
     std::vector<results::Field> row(table.columns.size());
     row[0] = std::string("missed");
@@ -38,8 +38,8 @@ DataTable outcome(const sim::BuildingMap& map, const Sighting& sighting) {
     return table;
   }
   const sim::Detection& d = *sighting.detection;
-  table.add_row("detected", map.classes[d.object_class].name, d.box.x_px, d.box.y_px, d.box.width_px, d.box.height_px,
-                d.score, sighting.pseudorange_m, std::fabs(sighting.pseudorange_m - sighting.view.range_m));
+  table.add_row("detected", d.box.x_px, d.box.y_px, d.box.width_px, d.box.height_px, sighting.pseudorange_m,
+                std::fabs(sighting.pseudorange_m - sighting.view.range_m));
   return table;
 }
 
@@ -81,7 +81,7 @@ Replay replay_detection(std::uint64_t seed, const DetectionCell& cell, std::span
   Replay replay;
   replay.scene = {camera_table(photo), object_table(map, sighting.view)};
   for (const Method& method : methods) {
-    replay.methods.push_back({method.label, method.solver, {outcome(map, sighting)}});
+    replay.methods.push_back({method.label, method.solver, {outcome(sighting)}});
   }
   replay.drawing = drawing(map, photo, sighting);
   return replay;

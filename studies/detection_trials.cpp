@@ -83,6 +83,7 @@ DetectionTrials::DetectionTrials(std::uint64_t seed, const DetectionCell& cell)
 const sim::View& DetectionTrials::find_object(std::uint64_t trial, sim::Photo& photo) const {
   for (std::uint64_t attempt = 0; attempt < sim::PhotoTaker::most_attempts; ++attempt) {
     if (!taker_.take_one(trial, attempt, photo) || photo.detections.size() < cell_.least_detections) continue;
+    if (!taker_.is_narrow(photo)) continue;
     const double u = core::uniform_pair(choice_.block(trial, attempt))[0];
     const auto slot = static_cast<std::size_t>(u * static_cast<double>(slots_));
     const sim::View* chosen = nullptr;
@@ -101,9 +102,10 @@ const sim::View& DetectionTrials::find_object(std::uint64_t trial, sim::Photo& p
   }
   throw core::InputError(fmt::format(
       "among {} photos of the map \"{}\" none shows an object with object.object_class = \"{}\", object.distance = "
-      "\"{}\" and {} detections; ask for what the map shows",
+      "\"{}\" and {} detections{}; ask for what the map shows",
       sim::PhotoTaker::most_attempts, cell_.photo.map->name, cell_.class_name,
-      distance_names[static_cast<std::size_t>(cell_.distance)], cell_.least_detections));
+      distance_names[static_cast<std::size_t>(cell_.distance)], cell_.least_detections,
+      cell_.photo.options.widest_spread_deg < 180.0 ? " within photo.widest_spread_deg" : ""));
 }
 
 Sighting DetectionTrials::take(std::uint64_t trial, sim::Photo& photo) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "catch.hpp"
 #include "core/error.hpp"
@@ -73,6 +74,33 @@ TEST_CASE("only objects of the class and at the distance asked for count") {
     CHECK(sighting.view.range_m <= high);
     CHECK(photo.detections.size() >= 2);
     CHECK(sighting.detection.has_value() == !std::isnan(sighting.pseudorange_m));
+  }
+}
+
+TEST_CASE("photos whose detections lie far apart do not count") {
+  const std::string widest = "[photo]\nwidest_spread_deg = 10.0\n[object]\nleast_detections = 3\n";
+  const Study study = photo_study("detection", widest + detector);
+  const Plan plan = make_plan(study);
+  const DetectionCell cell(plan.cells[0].values);
+  const DetectionTrials trials(study.seed, cell);
+  const double per_mm = cell.photo.options.camera.pixels_per_mm();
+  sim::Photo photo;
+  for (std::uint64_t t = 0; t < 100; ++t) {
+    trials.take(t, photo);
+    const auto angle_deg = [&](const sim::Detection& d) {
+      return std::atan(d.box.x_px / (photo.image_distance_mm * per_mm)) * 180.0 / std::numbers::pi;
+    };
+    const auto [left, right] = std::ranges::minmax(photo.detections, {}, angle_deg);
+    CHECK(angle_deg(right) - angle_deg(left) <= 10.0);
+  }
+  CHECK(tests::error_of_block(
+            photo_study("detection", "[photo]\nwidest_spread_deg = 0.1\n[object]\nleast_detections = 9\n" + detector))
+            .find("9 detections within photo.widest_spread_deg") != std::string::npos);
+}
+
+TEST_CASE("what the class and the score of a detection depend on is no setting of the detector alone") {
+  for (const char* name : {"false_class_rate", "score_low", "score_link"}) {
+    CHECK(error_of("[detector]\n" + std::string(name) + " = 0.5\n").find(name) != std::string::npos);
   }
 }
 

@@ -1,5 +1,6 @@
 // What the names of all experiments must keep to.
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -21,6 +22,21 @@ TEST_CASE("no metric or event has the name of another, of a setting or of a dime
     for (const Setting& setting : experiment->settings()) add(setting.name);
     for (const auto& metric : experiment->schema().metrics) add(metric.name);
     for (const auto& event : experiment->schema().events) add(event.name);
+  }
+}
+
+TEST_CASE("settings that are read at times depend on a choice that the experiment has") {
+  for (const Experiment* experiment : experiment_registry()) {
+    const auto settings = experiment->settings();
+    for (const Setting& setting : settings) {
+      if (setting.read_if.setting.empty()) continue;
+      INFO(experiment->name() << ": " << setting.name);
+      const auto other = std::ranges::find(settings, setting.read_if.setting, &Setting::name);
+      REQUIRE(other != settings.end());
+      CHECK(other->kind == Kind::Choice);
+      CHECK_FALSE(setting.read_if.choices.empty());
+      for (const std::string& choice : setting.read_if.choices) CHECK(std::ranges::count(other->choices, choice) == 1);
+    }
   }
 }
 
