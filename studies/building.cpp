@@ -75,12 +75,13 @@ class BuildingExperiment : public Experiment {
   }
 
   void check(const Values& cell) const override {
-    const std::size_t detections = BuildingCell(cell).detections;
-    if (detections == 1 || detections == 2) {
+    const BuildingCell settings(cell);
+    if (settings.detections == 1 || settings.detections == 2) {
       throw core::InputError(fmt::format(
           "photo.detections = {}: a position and an image distance need 3 detections at least (0: as in Table 1)",
-          detections));
+          settings.detections));
     }
+    check_grids(settings);
   }
 
   std::string_view example() const override {
@@ -133,26 +134,21 @@ group = "method"
                  Workspace& workspace, results::BlockSink& sink) const override {
     auto& scratch = static_cast<BuildingScratch&>(workspace);
     const BuildingCell settings(cell.values);
-    simulate_building(key.seed, cell, settings, range, scratch);
-    for (std::size_t m = 0; m < methods.size(); ++m) {
-      locate(*settings.photo.map, methods[m], solver_options(cell.values, methods[m].given), scratch);
-      report_method(m, scratch, sink);
-    }
+    simulate_and_locate(key.seed, cell, settings, methods, range, scratch);
+    for (std::size_t m = 0; m < methods.size(); ++m) report_method(m, scratch, sink);
     report_photos(methods.size(), settings.starts == StartPlaces::Coarse, scratch, sink);
   }
 
   std::vector<FailureCounts> count_failures(std::uint64_t seed, const Cell& cell, std::span<const Method> methods,
                                             TrialRange range, Workspace& workspace) const override {
     auto& scratch = static_cast<BuildingScratch&>(workspace);
-    const BuildingCell settings(cell.values);
-    simulate_building(seed, cell, settings, range, scratch);
+    simulate_and_locate(seed, cell, BuildingCell(cell.values), methods, range, scratch);
     std::vector<FailureCounts> counts;
-    for (const Method& method : methods) {
-      locate(*settings.photo.map, method, solver_options(cell.values, method.given), scratch);
+    for (const std::vector<PhotoOutcome>& outcomes : scratch.block_outcomes) {
       FailureCounts& count = counts.emplace_back();
       count.trials = range.count;
       const auto failed = [](const PhotoOutcome& outcome) { return outcome.status != PhotoStatus::Success; };
-      count.failed = static_cast<std::uint64_t>(std::ranges::count_if(scratch.outcomes, failed));
+      count.failed = static_cast<std::uint64_t>(std::ranges::count_if(outcomes, failed));
     }
     return counts;
   }
@@ -163,6 +159,46 @@ group = "method"
   }
 
  private:
+  /// Refuses grids that would take hours and gigabytes.
+  static void check_grids(const BuildingCell& settings) {
+    constexpr std::size_t most_starts = 200'000;
+    constexpr std::size_t most_views = 1'000'000;
+    const sim::BuildingMap& map = *settings.photo.map;
+    if (settings.starts == StartPlaces::Grid) {
+      const std::size_t starts = grid_size(map, settings.start_spacing_m);
+      if (starts <= most_starts) return;
+      throw core::InputError(fmt::format(
+          "coarse.start_spacing_m = {}: that makes {} starts on the map \"{}\", more than {}; make it larger",
+          settings.start_spacing_m, starts, map.name, most_starts));
+    }
+    const std::size_t places = grid_size(map, settings.grid_spacing_m);
+    if (places <= most_views / settings.grid_headings) return;
+    throw core::InputError(
+        fmt::format("coarse.grid_spacing_m = {}, coarse.grid_headings = {}: that makes views from {} places of the map "
+                    "\"{}\", more than {} in all; make the spacing larger or take fewer headings",
+                    settings.grid_spacing_m, settings.grid_headings, places, map.name, most_views));
+  }
+
+  /// Writes what is known of all photos of a range, and how each method ends on them, into what the scratch memory has
+  /// of a block.
+  static void simulate_and_locate(std::uint64_t seed, const Cell& cell, const BuildingCell& settings,
+                                  std::span<const Method> methods, TrialRange range, BuildingScratch& scratch) {
+    scratch.block_photos.clear();
+    scratch.block_outcomes.resize(methods.size());
+    for (std::vector<PhotoOutcome>& outcomes : scratch.block_outcomes) outcomes.clear();
+    const auto append = [](const auto& some, auto& all) { all.insert(all.end(), some.begin(), some.end()); };
+    const std::size_t most = photos_at_once(settings);
+    for (std::size_t done = 0; done < range.count; done = scratch.block_photos.size()) {
+      const std::size_t count = std::min(most, range.count - done);
+      simulate_building(seed, cell, settings, {range.first + done, count}, scratch);
+      append(scratch.photos, scratch.block_photos);
+      for (std::size_t m = 0; m < methods.size(); ++m) {
+        locate(*settings.photo.map, methods[m], solver_options(cell.values, methods[m].given), scratch);
+        append(scratch.outcomes, scratch.block_outcomes[m]);
+      }
+    }
+  }
+
   /// Writes f(photo) for every photo into one column of the sink.
   template <class Record, class F>
   static void report(std::size_t method, Metric metric, const std::vector<Record>& records, BuildingScratch& scratch,
@@ -174,7 +210,7 @@ group = "method"
 
   static void report_method(std::size_t m, BuildingScratch& scratch, results::BlockSink& sink) {
     constexpr double not_in_population = std::numeric_limits<double>::quiet_NaN();
-    const std::vector<PhotoOutcome>& outcomes = scratch.outcomes;
+    const std::vector<PhotoOutcome>& outcomes = scratch.block_outcomes[m];
     scratch.codes.resize(outcomes.size());
     std::ranges::transform(outcomes, scratch.codes.begin(),
                            [](const PhotoOutcome& o) { return static_cast<std::uint8_t>(o.status); });
@@ -195,11 +231,11 @@ group = "method"
 
   static void report_photos(std::size_t label, bool coarse, BuildingScratch& scratch, results::BlockSink& sink) {
     const auto number = [&](Metric metric, std::size_t PhotoRecord::*member) {
-      report(label, metric, scratch.photos, scratch, sink,
+      report(label, metric, scratch.block_photos, scratch, sink,
              [member](const PhotoRecord& r) { return static_cast<double>(r.*member); });
     };
     const auto value = [&](Metric metric, double PhotoRecord::*member) {
-      report(label, metric, scratch.photos, scratch, sink, [member](const PhotoRecord& r) { return r.*member; });
+      report(label, metric, scratch.block_photos, scratch, sink, [member](const PhotoRecord& r) { return r.*member; });
     };
     number(Metric::Starts, &PhotoRecord::starts);
     number(ObjectsVisible, &PhotoRecord::visible);

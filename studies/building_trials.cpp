@@ -21,21 +21,20 @@ solvers::GraphNode node_of(std::size_t object_class, const sim::Box& box) {
   return {static_cast<std::uint32_t>(object_class), box.x_px, box.y_px, box.width_px, box.height_px};
 }
 
-/// Middles of the parts of a side that are as nearly `spacing` long as an equal division allows.
+/// Number of the parts of a side that are as nearly `spacing` long as an equal division allows.
+std::size_t parts_of(const std::array<double, 2>& side, double spacing_m) {
+  return std::max<std::size_t>(static_cast<std::size_t>(std::lround((side[1] - side[0]) / spacing_m)), 1);
+}
+
+/// Middles of these parts.
 std::vector<double> along(const std::array<double, 2>& side, double spacing_m) {
   const double length = side[1] - side[0];
-  const auto parts = std::max<std::size_t>(static_cast<std::size_t>(std::lround(length / spacing_m)), 1);
+  const std::size_t parts = parts_of(side, spacing_m);
   std::vector<double> places;
   for (std::size_t i = 0; i < parts; ++i) {
     places.push_back(side[0] + length * (static_cast<double>(i) + 0.5) / static_cast<double>(parts));
   }
   return places;
-}
-
-double distance(const sim::PlanPoint& a, const sim::PlanPoint& b) {
-  const double dx = a[0] - b[0];
-  const double dy = a[1] - b[1];
-  return std::sqrt(dx * dx + dy * dy);
 }
 
 /// Takes the photos of a block and collects their starts.
@@ -133,7 +132,7 @@ class Block {
         observe(photo.detections[i], object);
         right = right && object == photo.detections[i].object;
       }
-      const double error = distance({graph.x_m, graph.y_m}, record.truth_m);
+      const double error = sim::distance_m({graph.x_m, graph.y_m}, record.truth_m);
       record.coarse_error_m = std::min(record.coarse_error_m, error);
       record.coarse_mean_error_m += share * error;
       record.coarse_right += right ? share : 0.0;
@@ -209,6 +208,18 @@ std::vector<sim::PlanPoint> grid_places(const sim::BuildingMap& map, double spac
   return places;
 }
 
+std::size_t grid_size(const sim::BuildingMap& map, double spacing_m) {
+  std::size_t size = 0;
+  for (const sim::Rectangle& area : map.areas) size += parts_of(area.x_m, spacing_m) * parts_of(area.y_m, spacing_m);
+  return size;
+}
+
+std::size_t photos_at_once(const BuildingCell& settings) {
+  constexpr std::size_t starts = 16'384;
+  if (settings.starts == StartPlaces::Coarse) return std::numeric_limits<std::size_t>::max();
+  return std::max<std::size_t>(starts / grid_size(*settings.photo.map, settings.start_spacing_m), 1);
+}
+
 std::vector<solvers::MapGraph> map_graphs(const sim::BuildingMap& map, const sim::Camera& camera, double height_m,
                                           double spacing_m, std::size_t headings) {
   std::vector<solvers::MapGraph> graphs;
@@ -221,6 +232,11 @@ std::vector<solvers::MapGraph> map_graphs(const sim::BuildingMap& map, const sim
       pose.heading_turns = static_cast<double>(h) / static_cast<double>(headings);
       sim::take_photo(map, camera, pose, views, image_distance_mm);
       if (views.empty()) continue;
+      if (views.size() > solvers::max_graph_nodes) {
+        throw core::InputError(fmt::format(
+            "from ({}, {}) {} objects of the map \"{}\" are seen, more than {}; make photo.farthest_m smaller",
+            place[0], place[1], views.size(), map.name, solvers::max_graph_nodes));
+      }
       solvers::MapGraph& graph = graphs.emplace_back();
       graph.x_m = place[0];
       graph.y_m = place[1];

@@ -75,12 +75,17 @@ struct MapGraphKey {
 };
 
 /// The views of a grid of places in every area, `spacing` apart as nearly as the area's sides allow, and of `headings`
-/// directions each; those that show nothing are left out.
+/// directions each; those that show nothing are left out. Throws core::InputError where a view shows more objects than
+/// a map graph takes.
 std::vector<solvers::MapGraph> map_graphs(const sim::BuildingMap& map, const sim::Camera& camera, double height_m,
                                           double spacing_m, std::size_t headings);
 
-/// Places of a grid over the areas of a map, likewise.
+/// Places of a grid over the areas of a map, likewise, and how many there are.
 std::vector<sim::PlanPoint> grid_places(const sim::BuildingMap& map, double spacing_m);
+std::size_t grid_size(const sim::BuildingMap& map, double spacing_m);
+
+/// How many photos to simulate together: of starts all over the map those of a whole block would fill gigabytes.
+std::size_t photos_at_once(const BuildingCell& settings);
 
 /// Scratch memory of the `building` experiment.
 struct BuildingScratch : Workspace {
@@ -101,6 +106,9 @@ struct BuildingScratch : Workspace {
   std::vector<solvers::GraphNode> image;
   std::vector<solvers::CoarsePose> poses;
 
+  // Of a block.
+  std::vector<PhotoRecord> block_photos;
+  std::vector<std::vector<PhotoOutcome>> block_outcomes;  ///< by method
   std::vector<double> values;
   std::vector<std::uint8_t> codes;
 };

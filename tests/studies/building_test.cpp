@@ -105,6 +105,23 @@ TEST_CASE("instruction sets take the same photos, and locate them at the same pl
   }
 }
 
+TEST_CASE("photos with many starts are the same however they are put together") {
+  // 1600 starts to a photo: ten photos are simulated at once.
+  const std::string grid = "[photo]\ndetections = 3\n[coarse]\nstarts = \"grid\"\nstart_spacing_m = 0.4\n";
+  const Study study = photo_study("building", grid + "[[method]]\nsolver = \"ols\"\n[[method]]\nsolver = \"rr\"\n");
+  const Plan plan = make_plan(study, core::best_isa());
+  CHECK(photos_at_once(BuildingCell(plan.cells[0].values)) == 10);
+  const auto whole = columns_of(study, {0, 12});
+  auto pieces = columns_of(study, {0, 1});
+  append(pieces, columns_of(study, {1, 11}));
+  for (std::size_t m = 0; m < whole.size(); ++m) CHECK(same(whole[m], pieces[m]));
+  const auto workspace = study.experiment->make_workspace(plan.isa);
+  const auto counts = study.experiment->count_failures(study.seed, plan.cells[0], study.methods, {0, 12}, *workspace);
+  for (std::size_t m = 0; m < counts.size(); ++m) {
+    CHECK(counts[m].failed == 12 - static_cast<std::uint64_t>(std::ranges::count(whole[m].status, std::uint8_t{0})));
+  }
+}
+
 TEST_CASE("columns hold what their descriptions say") {
   const Study study = photo_study("building", methods);
   const std::size_t photos = 300;
@@ -168,6 +185,38 @@ TEST_CASE("more detections than a map shows are refused with what to change") {
   const std::string error = tests::error_of_block(study);
   CHECK(error.find("photo.detections = 12: among 200000 photos of the map \"random 1\"") != std::string::npos);
   CHECK(error.find("give the map more objects") != std::string::npos);
+}
+
+TEST_CASE("grids that would take hours are refused with what to change") {
+  CHECK(error_of("[coarse]\ngrid_spacing_m = 0.1\ngrid_headings = 360\n")
+            .find("coarse.grid_spacing_m = 0.1, coarse.grid_headings = 360: that makes views from 25300 places") !=
+        std::string::npos);
+  CHECK(error_of("[coarse]\ngrid_spacing_m = 0.1\n").empty());
+  CHECK(error_of("[coarse]\nstarts = \"grid\"\nstart_spacing_m = 0.05\n").empty());
+  CHECK(
+      error_of("[building]\nmap = { random = 1, wings = 9, objects = 9 }\n"
+               "[coarse]\nstarts = \"grid\"\nstart_spacing_m = 0.05\n")
+          .find("coarse.start_spacing_m = 0.05: that makes 910800 starts on the map \"random 1\", more than 200000") !=
+      std::string::npos);
+}
+
+TEST_CASE("a sweep of what the starts or the scores do not read is refused") {
+  const auto swept = [](const std::string& axis) { return error_of("[sweep]\n" + axis + "\n"); };
+  const std::string grid = "[coarse]\nstarts = \"grid\"\n[sweep]\n";
+  for (const char* axis : {"coarse_topk = [1, 2]", "grid_spacing_m = [1.0, 2.0]", "grid_headings = [4, 8]",
+                           "agreement_weight = [0.0, 1.0]", "unmatched_penalty = [0.0, 1.0]",
+                           "coarse_ties = [\"size\", \"order\"]", "false_class_rate = [0.0, 0.1]"}) {
+    CAPTURE(axis);
+    CHECK(swept(axis).empty());
+    CHECK(error_of(grid + axis + "\n").find("changes nothing: it is read only if starts is coarse") !=
+          std::string::npos);
+  }
+  CHECK(swept("start_spacing_m = [1.0, 2.0]").find("it is read only if starts is grid") != std::string::npos);
+  for (const std::string axis : {"score_low = [0.1, 0.2]", "score_link = [0.0, 1.0]"}) {
+    CAPTURE(axis);
+    CHECK(swept(axis).find("changes nothing: it is read only if scores is detector") != std::string::npos);
+    CHECK(swept("scores = [\"none\", \"detector\"]\n" + axis).empty());
+  }
 }
 
 TEST_CASE("what photos do not read is no setting of theirs") {

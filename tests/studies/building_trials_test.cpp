@@ -43,6 +43,8 @@ TEST_CASE("grid places divide every area evenly, as near to the spacing as its s
   CHECK(places[3][0] == Approx(10.25));
   CHECK(std::fabs(places[3][1]) < 1e-15);
   CHECK(grid_places(map, 0.5).size() == 10 * 5 + 4);
+  for (const double spacing : {0.3, 0.5, 2.0, 100.0})
+    CHECK(grid_size(map, spacing) == grid_places(map, spacing).size());
 }
 
 TEST_CASE("the paper's map has a graph for each place and heading that shows something") {
@@ -58,6 +60,22 @@ TEST_CASE("the paper's map has a graph for each place and heading that shows som
       CHECK(graph.nodes[i].object_class == map.objects[graph.objects[i]].object_class);
     }
   }
+}
+
+TEST_CASE("a view of more objects than a map graph takes is refused with what to change") {
+  sim::BuildingMap map;
+  map.name = "shelf";
+  map.areas = {{"a", {0.0, 4.0}, {0.0, 4.0}}};
+  map.classes = {{"book", 0.05, 0.05, {}}};
+  for (int i = 0; i < 300; ++i)
+    map.objects.push_back({"book", 0, {3.9, 1.25 + 0.05 * (i % 30), 1.2 + 0.06 * (i / 30)}, 0.05, 0.05});
+  std::string error;
+  try {
+    map_graphs(map, {}, 1.5, 4.0, 4);
+  } catch (const core::InputError& thrown) {
+    error = thrown.what();
+  }
+  CHECK(error == "from (2, 2) 300 objects of the map \"shelf\" are seen, more than 255; make photo.farthest_m smaller");
 }
 
 TEST_CASE("without errors of the detector pseudoranges are the true ranges") {
