@@ -48,9 +48,13 @@ def read(path):
         values = [int(value) for value in axes[0]["value"][()].tolist()]
         columns = {}
         for number, (index,) in enumerate(file["cells/index"][()].tolist()):
-            for label, group in file[f"trials/{number}"].items():
+            for label, group in file.get(f"trials/{number}", {}).items():
                 columns[values[index], label] = {name: group[name][()] for name in group}
-        return columns
+    for detections in PHOTOS:
+        for label in [*METHODS, "photo"]:
+            if (detections, label) not in columns:
+                sys.exit(f"{path}: there are no trials of {label} with {detections} detections; run the study table1")
+    return columns
 
 
 def quantities(columns, label, rows):
