@@ -51,6 +51,12 @@ bool BuildingMap::is_inside(const PlanPoint& p) const {
 }
 
 bool BuildingMap::sees(const PlanPoint& from, const PlanPoint& to) const {
+  // Most rectangles of a large map are dismissed here.
+  const auto [left, right] = std::minmax(from[0], to[0]);
+  const auto [bottom, top] = std::minmax(from[1], to[1]);
+  const auto is_apart = [&](const Rectangle& r) {
+    return r.x_m[1] < left || r.x_m[0] > right || r.y_m[1] < bottom || r.y_m[0] > top;
+  };
   // Rounding must not open a gap between rectangles that touch.
   constexpr double tolerance = 1e-9;
   double reached = 0.0;
@@ -58,6 +64,7 @@ bool BuildingMap::sees(const PlanPoint& from, const PlanPoint& to) const {
     grows = false;
     for (const auto* free : {&areas, &openings}) {
       for (const Rectangle& r : *free) {
+        if (is_apart(r)) continue;
         const Span span = clip(r, from, to);
         if (span.low > reached + tolerance || span.high <= reached) continue;
         reached = span.high;
@@ -127,9 +134,11 @@ std::optional<std::array<std::size_t, 2>> first_overlap(const std::vector<MapObj
     const auto [low, high] = std::ranges::minmax_element(objects, {}, at);
     return objects.empty() ? 0.0 : at(*high) - at(*low);
   };
-  const std::size_t axis = length(0) > length(1) ? 0 : 1;
-  const auto low = [&](std::size_t i) { return objects[i].centre_m[axis] - 0.5 * objects[i].width_m; };
-  const auto high = [&](std::size_t i) { return objects[i].centre_m[axis] + 0.5 * objects[i].width_m; };
+  const std::array<double, 3> lengths = {length(0), length(1), length(2)};
+  const auto axis = static_cast<std::size_t>(std::ranges::max_element(lengths) - lengths.begin());
+  const auto half = [&](std::size_t i) { return 0.5 * (axis == 2 ? objects[i].height_m : objects[i].width_m); };
+  const auto low = [&](std::size_t i) { return objects[i].centre_m[axis] - half(i); };
+  const auto high = [&](std::size_t i) { return objects[i].centre_m[axis] + half(i); };
   std::vector<std::size_t> order(objects.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, low);

@@ -89,7 +89,7 @@ bool overlap(const Rectangle& a, const Rectangle& b);
 bool overlap(const MapObject& a, const MapObject& b);
 
 /// The first object that overlaps one before it, and the first such one: {number, smaller number}. The time grows with
-/// n log n, unless objects lie over each other along the longer side of their map.
+/// n log n, unless objects lie over each other along the longest side of their map.
 std::optional<std::array<std::size_t, 2>> first_overlap(const std::vector<MapObject>& objects);
 
 }  // namespace ridgeloc::sim

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -36,6 +37,30 @@ std::vector<double> along(const std::array<double, 2>& side, double spacing_m) {
   }
   return places;
 }
+
+/// What of a map lies around a place. What a camera there sees no further than `reach_m` is the same.
+struct Surroundings {
+  Surroundings(const sim::BuildingMap& whole, const sim::PlanPoint& place, double reach_m) {
+    const auto is_near = [&](const sim::Rectangle& r) {
+      return r.x_m[0] <= place[0] + reach_m && r.x_m[1] >= place[0] - reach_m && r.y_m[0] <= place[1] + reach_m &&
+             r.y_m[1] >= place[1] - reach_m;
+    };
+    std::ranges::copy_if(whole.areas, std::back_inserter(map.areas), is_near);
+    std::ranges::copy_if(whole.openings, std::back_inserter(map.openings), is_near);
+    map.walls = whole.walls;
+    for (std::size_t i = 0; i < whole.objects.size(); ++i) {
+      const sim::MapObject& object = whole.objects[i];
+      const double dx = object.centre_m[0] - place[0];
+      const double dy = object.centre_m[1] - place[1];
+      if (dx * dx + dy * dy > reach_m * reach_m) continue;
+      map.objects.push_back(object);
+      numbers.push_back(i);
+    }
+  }
+
+  sim::BuildingMap map;
+  std::vector<std::size_t> numbers;  ///< of its objects in the whole map
+};
 
 /// Takes the photos of a block and collects their starts.
 class Block {
@@ -226,11 +251,12 @@ std::vector<solvers::MapGraph> map_graphs(const sim::BuildingMap& map, const sim
   std::vector<sim::View> views;
   double image_distance_mm = 0.0;
   for (const sim::PlanPoint& place : grid_places(map, spacing_m)) {
+    const Surroundings around(map, place, camera.farthest_m);
     for (std::size_t h = 0; h < headings; ++h) {
       sim::CameraPose pose;
       pose.position_m = {place[0], place[1], height_m};
       pose.heading_turns = static_cast<double>(h) / static_cast<double>(headings);
-      sim::take_photo(map, camera, pose, views, image_distance_mm);
+      sim::take_photo(around.map, camera, pose, views, image_distance_mm);
       if (views.empty()) continue;
       if (views.size() > solvers::max_graph_nodes) {
         throw core::InputError(fmt::format(
@@ -242,8 +268,8 @@ std::vector<solvers::MapGraph> map_graphs(const sim::BuildingMap& map, const sim
       graph.y_m = place[1];
       graph.heading_rad = 2.0 * std::numbers::pi * pose.heading_turns;
       for (const sim::View& view : views) {
-        graph.nodes.push_back(node_of(map.objects[view.object].object_class, view.box));
-        graph.objects.push_back(view.object);
+        graph.nodes.push_back(node_of(around.map.objects[view.object].object_class, view.box));
+        graph.objects.push_back(around.numbers[view.object]);
       }
     }
   }

@@ -134,13 +134,14 @@ TEST_CASE("objects overlap where both their widths and their heights meet") {
 TEST_CASE("the first of many overlaps is the one that comparing every pair finds") {
   const core::Stream stream(7, "objects");
   for (std::uint64_t round = 0; round < 200; ++round) {
-    // Long in x or in y; the more they are the more overlap.
-    const double length = round % 2 == 0 ? 60.0 : 3.0;
+    // Long in x, y or z; the more they are the more overlap.
+    std::array<double, 3> lengths = {3.0, 3.0, 3.0};
+    lengths[round % 3] = 60.0;
     std::vector<sim::MapObject> objects;
     for (std::uint64_t i = 0; i < 2 + round / 5; ++i) {
       const auto u = core::uniform_triple(stream.block(round, 2 * i));
       const auto w = core::uniform_triple(stream.block(round, 2 * i + 1));
-      objects.push_back(object_at(length * u[0], (63.0 - length) * u[1], 3.0 * u[2], 2.0 * w[0], w[1]));
+      objects.push_back(object_at(lengths[0] * u[0], lengths[1] * u[1], lengths[2] * u[2], 2.0 * w[0], w[1]));
     }
     std::optional<std::array<std::size_t, 2>> expected;
     for (std::size_t i = 0; i < objects.size() && !expected; ++i) {

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "catch.hpp"
+#include "sim/random_building.hpp"
 #include "solvers/solver.hpp"
 #include "studies/audit.hpp"
 #include "studies/building_maps.hpp"
@@ -58,6 +60,24 @@ TEST_CASE("the paper's map has a graph for each place and heading that shows som
     CHECK(map.is_inside({graph.x_m, graph.y_m}));
     for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
       CHECK(graph.nodes[i].object_class == map.objects[graph.objects[i]].object_class);
+    }
+  }
+}
+
+TEST_CASE("a map graph holds what a photo of the whole map shows") {
+  const sim::BuildingMap map = sim::random_building({.seed = 5, .wings = 2, .objects = 80});
+  const sim::Camera camera;
+  std::vector<sim::View> views;
+  double image_distance_mm = 0.0;
+  for (const solvers::MapGraph& graph : map_graphs(map, camera, 1.5, 3.0, 4)) {
+    const double turns = std::round(4.0 * graph.heading_rad / (2.0 * std::numbers::pi)) / 4.0;
+    sim::take_photo(map, camera, {{graph.x_m, graph.y_m, 1.5}, turns}, views, image_distance_mm);
+    REQUIRE(views.size() == graph.nodes.size());
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      CHECK(graph.objects[i] == views[i].object);
+      CHECK(graph.nodes[i].object_class == map.objects[views[i].object].object_class);
+      CHECK(graph.nodes[i].x_px == views[i].box.x_px);
+      CHECK(graph.nodes[i].height_px == views[i].box.height_px);
     }
   }
 }
