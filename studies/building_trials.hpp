@@ -16,6 +16,7 @@
 #include "studies/building_outcome.hpp"
 #include "studies/building_settings.hpp"
 #include "studies/experiment.hpp"
+#include "studies/map_graphs.hpp"
 
 namespace ridgeloc::studies {
 
@@ -62,27 +63,6 @@ struct StartGroup {
   std::array<std::vector<double>, core::position_parameters> truth;
   std::vector<double> image_distance;
 };
-
-/// What map graphs are made from.
-struct MapGraphKey {
-  Building building;
-  sim::Camera camera;
-  double height_m;
-  double spacing_m;
-  std::size_t headings;
-
-  friend bool operator==(const MapGraphKey&, const MapGraphKey&) = default;
-};
-
-/// The views of a grid of places in every area, `spacing` apart as nearly as the area's sides allow, and of `headings`
-/// directions each; those that show nothing are left out. Throws core::InputError where a view shows more objects than
-/// a map graph takes.
-std::vector<solvers::MapGraph> map_graphs(const sim::BuildingMap& map, const sim::Camera& camera, double height_m,
-                                          double spacing_m, std::size_t headings);
-
-/// Places of a grid over the areas of a map, likewise, and how many there are.
-std::vector<sim::PlanPoint> grid_places(const sim::BuildingMap& map, double spacing_m);
-std::size_t grid_size(const sim::BuildingMap& map, double spacing_m);
 
 /// How many photos to simulate together: of starts all over the map those of a whole block would fill gigabytes.
 std::size_t photos_at_once(const BuildingCell& settings);
