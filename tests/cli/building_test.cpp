@@ -60,10 +60,6 @@ struct WithMap : WorkingFolder {
   }
 };
 
-bool contains(const std::string& text, const std::string& piece) {
-  return text.find(piece) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("a study of photos runs with a map from a file, which the result keeps") {

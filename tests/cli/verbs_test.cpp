@@ -55,7 +55,9 @@ TEST_CASE("list names what there is") {
   }
   CHECK(lines_of(folder.ridgeloc("list solvers").out).size() == 9);
   CHECK(contains(folder.ridgeloc("list weights").out, "igg3"));
-  CHECK(contains(folder.ridgeloc("list studies").out, "fig3a         Fig. 3a: similarity of estimated and true K"));
+  CHECK(contains(folder.ridgeloc("list maps").out, "paper  two corridors and a room, 58 objects"));
+  CHECK(contains(folder.ridgeloc("list metrics").out, "building: 2-D position error of located photos (m)"));
+  CHECK(contains(folder.ridgeloc("list studies").out, "fig3a           Fig. 3a: similarity of estimated and true K"));
 }
 
 TEST_CASE("new makes a study that runs") {
