@@ -60,15 +60,6 @@ TEST_CASE("list names what there is") {
   CHECK(contains(folder.ridgeloc("list studies").out, "fig3a           Fig. 3a: similarity of estimated and true K"));
 }
 
-TEST_CASE("new makes a study that runs") {
-  const WorkingFolder folder;
-  REQUIRE(folder.ridgeloc("new ranging -o mine.toml").exit_code == 0);
-  CHECK(folder.ridgeloc("new ranging").out == folder.read("mine.toml"));
-  CHECK(folder.ridgeloc("new ranging -o mine.toml").exit_code == 2);
-  CHECK(folder.ridgeloc("run mine.toml --trials 20").exit_code == 0);
-  CHECK(folder.has("mine.h5"));
-}
-
 TEST_CASE("plan says what a study amounts to, and writes nothing") {
   const WorkingFolder folder;
   const auto outcome = folder.ridgeloc("plan fig3a --trials 1e6 --threads 2");
