@@ -158,8 +158,8 @@ class CommandLine {
     replay_verb.add_flag("--json", replay_.json, "print JSON instead of tables");
     replay_verb.add_option("-o", replay_.output, "picture to draw: .svg, .pdf or .png")->type_name("FILE");
 
-    add_export_options(verb("export", "write a result as CSV or LaTeX", [this] { return export_result(export_); }),
-                       export_);
+    add_export_options(
+        verb("export", "write a result as CSV, JSON or LaTeX", [this] { return export_result(export_); }), export_);
 
     add_plot_options(verb("plot", "draw the figures of a result, or another one", [this] { return plot(plot_); }),
                      plot_);

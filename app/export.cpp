@@ -15,6 +15,7 @@
 #include "results/latex.hpp"
 #include "results/result_file.hpp"
 #include "results/shell.hpp"
+#include "results/summary_json.hpp"
 #include "studies/value.hpp"
 
 namespace ridgeloc::app {
@@ -90,7 +91,9 @@ int export_result(const ExportOptions& options) {
   }
   if (!options.trials) {
     const results::Summary summary = read_probed(options.result, [&] { return results::read_result(options.result); });
-    write_output(options.output, [&](std::ostream& out) { results::write_summary_csv(summary, out); });
+    write_output(options.output, [&](std::ostream& out) {
+      options.json ? results::write_summary_json(summary, out) : results::write_summary_csv(summary, out);
+    });
     return Success;
   }
   const results::Header header = read_probed(options.result, [&] {

@@ -115,10 +115,16 @@ void add_export_options(CLI::App& verb, ExportOptions& options) {
       verb.add_flag("--failures", options.failures, "a row per failed trial that is listed instead");
   CLI::Option* study =
       verb.add_flag("--study", options.study, "the complete study instead, as a file to run")->excludes(csv);
+  CLI::Option* json = verb.add_flag("--json", options.json, "the same as JSON")
+                          ->excludes(csv)
+                          ->excludes(trials)
+                          ->excludes(failures)
+                          ->excludes(study);
   CLI::Option* latex = verb.add_flag("--latex", options.latex, "tables for LaTeX (booktabs): cells by methods")
                            ->excludes(csv)
                            ->excludes(trials)
                            ->excludes(failures)
+                           ->excludes(json)
                            ->excludes(study);
   add_names(verb, "--metric", options.metrics,
             "metric or event of a LaTeX table; may be repeated (default: those of the study's figures)")
@@ -130,6 +136,7 @@ void add_export_options(CLI::App& verb, ExportOptions& options) {
       ->excludes(trials)
       ->excludes(failures)
       ->excludes(study)
+      ->excludes(json)
       ->excludes(latex);
   verb.add_option("-o", options.output, "file to write")->type_name("FILE");
 }

@@ -98,6 +98,7 @@ struct ExportOptions {
   bool trials = false;               ///< rows per trial instead of per metric
   bool failures = false;             ///< rows per failed trial that is listed
   bool study = false;                ///< the study file that the result holds
+  bool json = false;                 ///< the same rows per metric as JSON
   bool latex = false;                ///< tables for LaTeX instead of CSV
   std::string against;               ///< AXIS=VALUE: rows that compare cells with those there
   std::vector<std::string> metrics;  ///< of these tables, events too; empty: those of the figures

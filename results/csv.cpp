@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "results/ratio.hpp"
+#include "results/summary_columns.hpp"
 #include "results/text.hpp"
 
 namespace ridgeloc::results {
@@ -84,11 +85,11 @@ void write_summary_csv(const Summary& of_methods, std::ostream& out) {
   const Summary summary = with_ratios(of_methods);
   CsvWriter csv(out);
   write_axis_names(summary.header, csv);
-  for (const char* name : {"method", "metric", "unit",    "n",   "mean",     "mcse",   "sd",     "min",     "p05",
-                           "p25",    "p50",    "p75",     "p95", "max",      "lo",     "hi",     "trusted", "beyond",
-                           "p50_lo", "p50_hi", "sd_mcse", "rms", "rms_mcse", "rms_lo", "rms_hi", "p95_lo",  "p95_hi"}) {
-    csv.text(name);
-  }
+  for (const char* name : {"method", "metric", "unit", "n"}) csv.text(name);
+  for (const SummaryColumn& column : summary_columns) csv.text(column.name);
+  csv.text("trusted");
+  csv.text("beyond");
+  for (const SummaryColumn& column : summary_bar_columns) csv.text(column.name);
   csv.end_line();
   for (const SummaryRow& row : summary_rows(summary)) {
     write_factors(summary.header, row.cell, csv);
@@ -96,17 +97,10 @@ void write_summary_csv(const Summary& of_methods, std::ostream& out) {
     csv.text(row.metric);
     csv.text(row.unit);
     csv.number(row.n);
-    for (const double value :
-         {row.mean, row.mcse, row.sd, row.min, row.p05, row.p25, row.p50, row.p75, row.p95, row.max, row.lo, row.hi}) {
-      csv.number(value);
-    }
+    for (const SummaryColumn& column : summary_columns) csv.number(row.*column.value);
     csv.number(std::uint64_t{row.trusted});
     csv.number(row.beyond);
-    csv.number(row.p50_lo);
-    csv.number(row.p50_hi);
-    csv.number(row.sd_mcse);
-    for (const double value : {row.rms, row.rms_mcse, row.rms_lo, row.rms_hi, row.p95_lo, row.p95_hi})
-      csv.number(value);
+    for (const SummaryColumn& column : summary_bar_columns) csv.number(row.*column.value);
     csv.end_line();
   }
   csv.flush();

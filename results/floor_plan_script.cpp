@@ -117,8 +117,9 @@ std::string add_places(const std::string& name, PlanMark mark, const std::vector
 std::string draw_panel(const FloorPlan& plan, const Layout& layout, const Page& page, std::size_t i) {
   const double left = layout.left(i);
   const double top = layout.top(i);
+  // Walls may run through the window with both ends outside.
   std::string script = margins(page, left, left + layout.panel_width, top, top + layout.panel_height) +
-                       "set border 3 lw 0.7\nset tics nomirror out scale 0.5,0.3 font ',7'\n"
+                       "set clip two\nset border 3 lw 0.7\nset tics nomirror out scale 0.5,0.3 font ',7'\n"
                        "set xtics nomirror offset 0,0.4\nset ytics nomirror\n" +
                        axis_ranges(plan.window.x, plan.window.y);
   script += page_text(page, left + layout.panel_width / 2.0, top - FigureLayout::line_height / 2.0,

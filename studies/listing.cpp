@@ -2,6 +2,7 @@
 
 #include "sim/range_noise.hpp"
 #include "solvers/solver.hpp"
+#include "studies/building_maps.hpp"
 #include "studies/catalog.hpp"
 #include "studies/experiment.hpp"
 #include "studies/study_reader.hpp"
@@ -20,10 +21,20 @@ std::vector<Listed> entries_of(const Registry& registry) {
 std::vector<Listed> metrics() {
   std::vector<Listed> entries;
   for (const Experiment* experiment : experiment_registry()) {
+    const std::string of = std::string(experiment->name()) + ": ";
     for (const auto& m : experiment->schema().metrics) {
-      entries.push_back({m.name, m.description + (m.unit == "1" ? "" : " (" + m.unit + ")")});
+      entries.push_back({m.name, of + m.description + (m.unit == "1" ? "" : " (" + m.unit + ")")});
     }
-    for (const auto& e : experiment->schema().events) entries.push_back({e.name, "rate of " + e.description});
+    for (const auto& e : experiment->schema().events) entries.push_back({e.name, of + "rate of " + e.description});
+  }
+  return entries;
+}
+
+std::vector<Listed> maps() {
+  std::vector<Listed> entries;
+  for (const CatalogEntry& entry : building_maps()) {
+    const sim::BuildingMap& map = find_building(entry.name)->map();
+    entries.push_back({std::string(entry.name), map.name + ", " + std::to_string(map.objects.size()) + " objects"});
   }
   return entries;
 }
@@ -46,8 +57,8 @@ std::vector<Listed> studies() {
 }  // namespace
 
 const std::vector<std::string>& listing_topics() {
-  static const std::vector<std::string> topics = {"solvers", "k",           "weights", "noise",
-                                                  "metrics", "experiments", "studies"};
+  static const std::vector<std::string> topics = {"solvers", "k",       "weights",     "noise",
+                                                  "maps",    "metrics", "experiments", "studies"};
   return topics;
 }
 
@@ -56,6 +67,7 @@ std::vector<Listed> list_topic(std::string_view topic) {
   if (topic == "k") return entries_of(solvers::k_estimator_registry());
   if (topic == "weights") return entries_of(solvers::weight_registry());
   if (topic == "noise") return entries_of(sim::noise_registry());
+  if (topic == "maps") return maps();
   if (topic == "metrics") return metrics();
   if (topic == "experiments") return experiments();
   return studies();

@@ -12,7 +12,7 @@ struct Listed {
   std::string summary;
 };
 
-/// What can be listed: "solvers", "k", "noise", "metrics", "experiments", "studies".
+/// What can be listed: "solvers", "k", "weights", "noise", "maps", "metrics", "experiments", "studies".
 const std::vector<std::string>& listing_topics();
 
 /// The entries of one topic, straight from the registries. `topic` is one of `listing_topics()`.

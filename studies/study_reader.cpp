@@ -79,6 +79,20 @@ void read_sections(const toml::table& document, Study& study) {
   }
 }
 
+/// The share of trials that the reference solves again: none where an experiment has no reference.
+double read_audit(const toml::table& document, const Experiment& experiment) {
+  const toml::node* node = document.get("audit");
+  const bool has_audit = experiment.audit_metrics() > 0;
+  if (node == nullptr) return has_audit ? Study{}.audit : 0.0;
+  const double audit = std::get<double>(read_setting(*node, study_setting("audit"), "audit"));
+  if (audit > 0.0 && !has_audit) {
+    fail_at(*node,
+            fmt::format("audit = {} is not allowed: Ceres solves no trial of experiment \"{}\" again; leave it out",
+                        audit, experiment.name()));
+  }
+  return audit;
+}
+
 /// Refuses axes that change nothing, and lists of samples that are read and not there.
 void check_conditions(const toml::table& document, const std::string& origin, const Study& study) {
   for (const SweepAxis& axis : study.sweep) {
@@ -156,9 +170,7 @@ Study read_study(const StudySource& source, std::span<const std::string> overrid
     study.trials =
         static_cast<std::uint64_t>(std::get<std::int64_t>(read_setting(*trials, study_setting("trials"), "trials")));
   }
-  if (const toml::node* audit = document.get("audit")) {
-    study.audit = std::get<double>(read_setting(*audit, study_setting("audit"), "audit"));
-  }
+  study.audit = read_audit(document, *study.experiment);
   if (const toml::node* store = document.get("store")) {
     const toml::table& table = read_table(*store, "[store]");
     check_keys(table, "[store]", {"trial_columns_mib"});

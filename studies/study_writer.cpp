@@ -129,10 +129,12 @@ std::string template_toml(const Experiment& experiment) {
       "# Run it with: ridgeloc run FILE.toml -o FILE.h5\n"
       "# Every setting below stands at its default; what you leave out stays there.\n\n"
       "title = \"My study\"\naims = \"\"  # what it is to find out, for reports\nexperiment = \"{}\"\nseed = "
-      "2018\ntrials = 10000  # per cell\n"
-      "audit = 0.0001  # share of the trials, besides the first 100 of a cell, that Ceres solves again; 0: none\n\n"
-      "[store]\ntrial_columns_mib = 64.0  # per-trial columns kept of each cell (MiB)\n",
+      "2018\ntrials = 10000  # per cell\n",
       experiment.name(), experiment.summary(), experiment.name());
+  if (experiment.audit_metrics() > 0) {
+    out += "audit = 0.0001  # share of the trials, besides the first 100 of a cell, that Ceres solves again; 0: none\n";
+  }
+  out += "\n[store]\ntrial_columns_mib = 64.0  # per-trial columns kept of each cell (MiB)\n";
   for_each_setting(experiment, out, [&](const Setting& s) {
     const std::string unit = s.unit == "1" ? "" : fmt::format(" ({})", s.unit);
     const std::string condition = s.read_if.setting.empty() ? ""

@@ -55,16 +55,9 @@ TEST_CASE("list names what there is") {
   }
   CHECK(lines_of(folder.ridgeloc("list solvers").out).size() == 9);
   CHECK(contains(folder.ridgeloc("list weights").out, "igg3"));
-  CHECK(contains(folder.ridgeloc("list studies").out, "fig3a         Fig. 3a: similarity of estimated and true K"));
-}
-
-TEST_CASE("new makes a study that runs") {
-  const WorkingFolder folder;
-  REQUIRE(folder.ridgeloc("new ranging -o mine.toml").exit_code == 0);
-  CHECK(folder.ridgeloc("new ranging").out == folder.read("mine.toml"));
-  CHECK(folder.ridgeloc("new ranging -o mine.toml").exit_code == 2);
-  CHECK(folder.ridgeloc("run mine.toml --trials 20").exit_code == 0);
-  CHECK(folder.has("mine.h5"));
+  CHECK(contains(folder.ridgeloc("list maps").out, "paper  two corridors and a room, 58 objects"));
+  CHECK(contains(folder.ridgeloc("list metrics").out, "building: 2-D position error of located photos (m)"));
+  CHECK(contains(folder.ridgeloc("list studies").out, "fig3a           Fig. 3a: similarity of estimated and true K"));
 }
 
 TEST_CASE("plan says what a study amounts to, and writes nothing") {
