@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/error.hpp"
-#include "solvers/solver.hpp"
 #include "studies/building_outcome.hpp"
 #include "studies/building_replay.hpp"
 #include "studies/building_settings.hpp"
@@ -107,17 +106,11 @@ group = "method"
 )";
   }
 
-  std::vector<std::string> solvers() const override {
-    std::vector<std::string> names;
-    for (const auto& entry : solvers::solver_registry()) names.emplace_back(entry.name);
-    return names;
-  }
+  std::vector<std::string> solvers() const override { return solver_names(); }
 
   std::vector<std::string> settings_of_solver(std::string_view solver) const override {
     if (solver == photo_label) return {};
-    std::vector<std::string> names = common_solver_settings();
-    const solvers::SolverEntry* entry = solvers::find_solver(solver);
-    if (entry != nullptr) names.insert(names.end(), entry->options.begin(), entry->options.end());
+    std::vector<std::string> names = settings_read_by(solver);
     std::erase_if(names, [](const std::string& name) {
       return std::ranges::find(building_settings(), name, &Setting::name) == building_settings().end();
     });

@@ -149,18 +149,10 @@ methods = ["ols", "rr", "rrr"]
 )";
   }
 
-  std::vector<std::string> solvers() const override {
-    std::vector<std::string> names;
-    for (const auto& entry : solvers::solver_registry()) names.emplace_back(entry.name);
-    return names;
-  }
+  std::vector<std::string> solvers() const override { return solver_names(); }
 
   std::vector<std::string> settings_of_solver(std::string_view solver) const override {
-    if (solver == scene_label) return {"v_mode"};
-    std::vector<std::string> names = common_solver_settings();
-    const solvers::SolverEntry* entry = solvers::find_solver(solver);
-    if (entry != nullptr) names.insert(names.end(), entry->options.begin(), entry->options.end());
-    return names;
+    return solver == scene_label ? std::vector<std::string>{"v_mode"} : settings_read_by(solver);
   }
 
   std::vector<std::string> extra_labels() const override { return {std::string(scene_label)}; }

@@ -121,6 +121,14 @@ const std::vector<Option>& all_options() {
   return options;
 }
 
+/// What every solver reads.
+const std::vector<std::string>& common_solver_settings() {
+  static const std::vector<std::string> names = {"max_iterations", "step_tolerance_m", "start",
+                                                 "score_power",    "jacobian",         "sigma_prior_m",
+                                                 "v_mode",         "col_scale",        "residual"};
+  return names;
+}
+
 }  // namespace
 
 std::vector<Setting> solver_settings() {
@@ -129,10 +137,16 @@ std::vector<Setting> solver_settings() {
   return settings;
 }
 
-const std::vector<std::string>& common_solver_settings() {
-  static const std::vector<std::string> names = {"max_iterations", "step_tolerance_m", "start",
-                                                 "score_power",    "jacobian",         "sigma_prior_m",
-                                                 "v_mode",         "col_scale",        "residual"};
+std::vector<std::string> solver_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : solvers::solver_registry()) names.emplace_back(entry.name);
+  return names;
+}
+
+std::vector<std::string> settings_read_by(std::string_view solver) {
+  std::vector<std::string> names = common_solver_settings();
+  const solvers::SolverEntry* entry = solvers::find_solver(solver);
+  if (entry != nullptr) names.insert(names.end(), entry->options.begin(), entry->options.end());
   return names;
 }
 

@@ -12,8 +12,11 @@ namespace ridgeloc::studies {
 /// The section [solver]: one setting for each of `solvers::SolverOptions`.
 std::vector<Setting> solver_settings();
 
-/// Those that every solver reads; `solvers::SolverEntry::options` names the others.
-const std::vector<std::string>& common_solver_settings();
+/// The names of all solvers.
+std::vector<std::string> solver_names();
+
+/// The settings that a solver reads: those that all of them read, and `solvers::SolverEntry::options`.
+std::vector<std::string> settings_read_by(std::string_view solver);
 
 /// What a method's own settings, and where it has none the cell's, say about its solver; for settings that the
 /// experiment does not have the default.
