@@ -52,10 +52,6 @@ Vector Photographer::to_camera(const Vector& place) const {
   return {dot(right_, d), dot(down_, d), dot(forward_, d)};
 }
 
-double Photographer::depth_m(const Vector& place) const {
-  return to_camera(place)[2];
-}
-
 std::optional<View> Photographer::view(const MapObject& object, std::size_t number, double image_distance_mm) const {
   const Vector centre = to_camera(object.centre_m);
   const double squared_range = dot(centre, centre);

@@ -63,9 +63,6 @@ class Photographer {
   /// r^2 = alpha (v^2 + l^2) holds exactly.
   std::optional<View> view(const MapObject& object, std::size_t number, double image_distance_mm) const;
 
-  /// Depth of a place along the optical axis (m).
-  double depth_m(const std::array<double, 3>& place) const;
-
   static constexpr double nearest_m = 0.5;
 
  private:

@@ -63,6 +63,24 @@ RunOutcome run(const Study& s, const fs::path& output, int threads, const std::a
   return run_study(s, plan, everything(plan), output, threads, {}, progress, stop);
 }
 
+/// The digest of a result whose run was stopped after so many blocks, and went on with other threads.
+std::string digest_when_stopped(const Study& s, const File& file, std::uint64_t blocks) {
+  file.remove();
+  std::atomic<bool> stop{false};
+  RunProgress progress;
+  std::jthread watcher([&](const std::stop_token& done) {
+    while (progress.blocks_done.load() < blocks && !done.stop_requested()) std::this_thread::yield();
+    stop.store(true);
+  });
+  run(s, file.path, 1, stop, progress);
+  watcher.request_stop();
+  watcher.join();
+  const std::atomic<bool> never{false};
+  RunProgress rest;
+  CHECK(run(s, file.path, 2, never, rest).sealed);
+  return results::data_digest(file.path);
+}
+
 const std::string precise = "metric = \"error_all_m\"\nmethods = \"rrr\"\nrelative = 0.02\nmax_trials = 400000\n";
 
 }  // namespace
@@ -125,19 +143,7 @@ TEST_CASE("a stop rule that was interrupted ends in the same bytes") {
   const std::string digest = results::data_digest(file.path);
   for (const std::uint64_t blocks : {1, 5, 9, 14}) {
     CAPTURE(blocks);
-    file.remove();
-    std::atomic<bool> stop{false};
-    RunProgress progress;
-    std::jthread watcher([&](const std::stop_token& done) {
-      while (progress.blocks_done.load() < blocks && !done.stop_requested()) std::this_thread::yield();
-      stop.store(true);
-    });
-    run(s, file.path, 1, stop, progress);
-    watcher.request_stop();
-    watcher.join();
-    RunProgress rest;
-    CHECK(run(s, file.path, 2, never, rest).sealed);
-    CHECK(results::data_digest(file.path) == digest);
+    CHECK(digest_when_stopped(s, file, blocks) == digest);
   }
 }
 
@@ -183,19 +189,7 @@ TEST_CASE("a limit of the cost is spent in the same way by any threads, interrup
   CHECK(summary.of(2, 1).trials > summary.of(1, 1).trials);
   for (const std::uint64_t blocks : {2, 7, 12}) {
     CAPTURE(blocks);
-    file.remove();
-    std::atomic<bool> stop{false};
-    RunProgress progress;
-    std::jthread watcher([&](const std::stop_token& done) {
-      while (progress.blocks_done.load() < blocks && !done.stop_requested()) std::this_thread::yield();
-      stop.store(true);
-    });
-    run(s, file.path, 1, stop, progress);
-    watcher.request_stop();
-    watcher.join();
-    RunProgress rest;
-    CHECK(run(s, file.path, 2, never, rest).sealed);
-    CHECK(results::data_digest(file.path) == digest);
+    CHECK(digest_when_stopped(s, file, blocks) == digest);
   }
   RunProgress progress;
   CHECK(run(s, file.path, 1, never, progress).unchanged);
