@@ -1,6 +1,7 @@
 #include "studies/building_replay.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <string>
 
 #include "core/status.hpp"
@@ -36,16 +37,36 @@ DataTable detections(const BuildingCell& settings, const sim::Photo& photo) {
   return table;
 }
 
-DataTable starts(const sim::BuildingMap& map, const BuildingScratch& scratch) {
-  DataTable table{"starts", {"start", "x_m", "y_m", "distance_m", "objects"}, {}};
+DataTable map_table(const BuildingCell& settings, const BuildingScratch& scratch) {
+  const sim::BuildingMap& map = *settings.photo.map;
+  const bool coarse = settings.starts == StartPlaces::Coarse;
+  DataTable table{"map", {"map", "areas", "objects", "map_graphs"}, {}};
+  table.add_row(map.name, number(map.areas.size()), number(map.objects.size()),
+                coarse ? Field(number(scratch.graphs->graphs().size())) : Field());
+  return table;
+}
+
+/// Coarse positions of the only photo are its starts, in the same order.
+DataTable starts(const BuildingCell& settings, const BuildingScratch& scratch) {
+  const sim::BuildingMap& map = *settings.photo.map;
+  const bool coarse = settings.starts == StartPlaces::Coarse;
+  constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+  DataTable table{"starts", {"start", "x_m", "y_m", "distance_m", "heading_deg", "score", "objects"}, {}};
   for (std::size_t i = 0; i < scratch.starts.size(); ++i) {
     const StartRecord& start = scratch.starts[i];
+    Field heading;
+    Field score;
+    if (coarse) {
+      const solvers::CoarsePose& pose = scratch.poses[i];
+      heading = degrees_per_radian * scratch.graphs->graphs()[pose.graph].heading_rad;
+      score = pose.score;
+    }
     std::string objects;
     for (std::size_t j = 0; j < start.points; ++j) {
       objects += (j == 0 ? "" : ", ") + map.objects[scratch.observed[start.first + j].object].name;
     }
     table.add_row(number(i + 1), start.place_m[0], start.place_m[1],
-                  sim::distance_m(start.place_m, scratch.photos[0].truth_m), objects);
+                  sim::distance_m(start.place_m, scratch.photos[0].truth_m), heading, score, objects);
   }
   return table;
 }
@@ -80,7 +101,8 @@ Replay replay_building(std::uint64_t seed, const Cell& cell, std::span<const Met
   const sim::BuildingMap& map = *settings.photo.map;
   simulate_building(seed, cell, settings, {trial, 1}, scratch);
   Replay replay;
-  replay.scene = {camera_table(scratch.photo), detections(settings, scratch.photo), starts(map, scratch)};
+  replay.scene = {map_table(settings, scratch), camera_table(scratch.photo), detections(settings, scratch.photo),
+                  starts(settings, scratch)};
   std::vector<BuildingPanel> panels;
   for (const Method& method : methods) {
     locate(map, method, solver_options(cell.values, method.given), scratch);

@@ -45,6 +45,13 @@ TEST_CASE("a replay of a photo tells what the block reports of it") {
     CHECK(static_cast<double>(count_of(camera, 0, "visible")) == of_photo("objects_visible"));
     CHECK(static_cast<double>(detections.rows.size()) == of_photo("objects_detected"));
     CHECK(static_cast<double>(starts.rows.size()) == of_photo("start_count"));
+    CHECK(count_of(table_of(replay.scene, "map"), 0, "map_graphs") == 175);
+    for (std::size_t i = 0; i < starts.rows.size(); ++i) {
+      // Eight headings, and starts in the order of their scores.
+      const double heading = real_of(starts, i, "heading_deg") / 45.0;
+      CHECK(std::fabs(heading - std::round(heading)) < 1e-12);
+      CHECK((i == 0 || real_of(starts, i, "score") <= real_of(starts, i - 1, "score")));
+    }
     double error = 0.0;
     for (std::size_t i = 0; i < detections.rows.size(); ++i) {
       error += std::fabs(real_of(detections, i, "pseudorange_m") - real_of(detections, i, "true_range_m"));
