@@ -8,9 +8,9 @@
 #include "app/recomputation.hpp"
 #include "app/result_probe.hpp"
 #include "app/verbs.hpp"
-#include "results/result_file.hpp"
-#include "results/text.hpp"
-#include "studies/failure_audit.hpp"
+#include "results/schema/text.hpp"
+#include "results/store/result_file.hpp"
+#include "studies/run/failure_audit.hpp"
 
 namespace ridgeloc::app {
 

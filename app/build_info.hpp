@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/provenance.hpp"
+#include "results/store/provenance.hpp"
 
 namespace ridgeloc::app {
 

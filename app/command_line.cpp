@@ -20,10 +20,10 @@
 #include "app/output.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
-#include "studies/experiment.hpp"
 #include "studies/listing.hpp"
-#include "studies/study.hpp"
-#include "studies/value.hpp"
+#include "studies/study/experiment.hpp"
+#include "studies/study/study.hpp"
+#include "studies/study/value.hpp"
 
 namespace ridgeloc::app {
 

@@ -11,10 +11,10 @@
 #include "app/result_probe.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
-#include "results/agreement.hpp"
-#include "results/result_file.hpp"
-#include "results/text.hpp"
-#include "studies/union.hpp"
+#include "results/schema/text.hpp"
+#include "results/store/result_file.hpp"
+#include "results/summary/agreement.hpp"
+#include "studies/plan/union.hpp"
 
 namespace ridgeloc::app {
 

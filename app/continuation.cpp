@@ -11,10 +11,10 @@
 #include "app/output.hpp"
 #include "app/result_probe.hpp"
 #include "core/error.hpp"
-#include "results/parts_folder.hpp"
-#include "results/result_file.hpp"
-#include "studies/study_reader.hpp"
-#include "studies/union.hpp"
+#include "results/store/parts_folder.hpp"
+#include "results/store/result_file.hpp"
+#include "studies/files/study_reader.hpp"
+#include "studies/plan/union.hpp"
 
 namespace ridgeloc::app {
 

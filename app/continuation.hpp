@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "results/schema.hpp"
-#include "studies/assignment.hpp"
-#include "studies/plan.hpp"
-#include "studies/study.hpp"
+#include "results/schema/schema.hpp"
+#include "studies/plan/assignment.hpp"
+#include "studies/plan/plan.hpp"
+#include "studies/study/study.hpp"
 
 namespace ridgeloc::app {
 

@@ -10,13 +10,13 @@
 #include "app/result_probe.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
-#include "results/cell_comparison.hpp"
-#include "results/csv.hpp"
-#include "results/latex.hpp"
-#include "results/result_file.hpp"
-#include "results/shell.hpp"
-#include "results/summary_json.hpp"
-#include "studies/value.hpp"
+#include "results/store/result_file.hpp"
+#include "results/summary/cell_comparison.hpp"
+#include "results/tables/csv.hpp"
+#include "results/tables/latex.hpp"
+#include "results/tables/summary_json.hpp"
+#include "results/util/shell.hpp"
+#include "studies/study/value.hpp"
 
 namespace ridgeloc::app {
 

@@ -14,12 +14,12 @@
 #include "app/result_probe.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
-#include "results/completeness.hpp"
-#include "results/file_system.hpp"
-#include "results/result_file.hpp"
-#include "results/result_merge.hpp"
-#include "studies/plan.hpp"
-#include "studies/union.hpp"
+#include "results/store/result_file.hpp"
+#include "results/store/result_merge.hpp"
+#include "results/summary/completeness.hpp"
+#include "results/util/file_system.hpp"
+#include "studies/plan/plan.hpp"
+#include "studies/plan/union.hpp"
 
 namespace ridgeloc::app {
 

@@ -6,7 +6,7 @@
 #include "app/output.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
-#include "studies/study_writer.hpp"
+#include "studies/files/study_writer.hpp"
 
 namespace ridgeloc::app {
 

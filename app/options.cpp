@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "core/isa.hpp"
-#include "results/axis_values.hpp"
+#include "results/schema/axis_values.hpp"
 
 namespace ridgeloc::app {
 

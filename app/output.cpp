@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "results/file_system.hpp"
+#include "results/util/file_system.hpp"
 
 namespace ridgeloc::app {
 

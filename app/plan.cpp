@@ -15,10 +15,10 @@
 #include "app/verbs.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "results/shell.hpp"
-#include "studies/audit.hpp"
-#include "studies/pilot.hpp"
-#include "studies/study_reader.hpp"
+#include "results/util/shell.hpp"
+#include "studies/files/study_reader.hpp"
+#include "studies/run/pilot.hpp"
+#include "studies/study/audit_sample.hpp"
 
 namespace ridgeloc::app {
 

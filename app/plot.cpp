@@ -10,9 +10,9 @@
 #include "app/result_probe.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
-#include "results/figure.hpp"
-#include "results/figure_request.hpp"
-#include "results/result_file.hpp"
+#include "results/figures/figure.hpp"
+#include "results/figures/figure_request.hpp"
+#include "results/store/result_file.hpp"
 
 namespace ridgeloc::app {
 

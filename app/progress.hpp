@@ -3,7 +3,7 @@
 #include <string>
 #include <thread>
 
-#include "studies/runner.hpp"
+#include "studies/run/runner.hpp"
 
 namespace ridgeloc::app {
 

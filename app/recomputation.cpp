@@ -7,8 +7,8 @@
 #include "app/result_probe.hpp"
 #include "core/error.hpp"
 #include "core/isa.hpp"
-#include "results/result_file.hpp"
-#include "studies/study_reader.hpp"
+#include "results/store/result_file.hpp"
+#include "studies/files/study_reader.hpp"
 
 namespace ridgeloc::app {
 

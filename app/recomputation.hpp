@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "results/schema.hpp"
-#include "studies/plan.hpp"
-#include "studies/study.hpp"
+#include "results/schema/schema.hpp"
+#include "studies/plan/plan.hpp"
+#include "studies/study/study.hpp"
 
 namespace ridgeloc::app {
 

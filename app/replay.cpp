@@ -1,4 +1,4 @@
-#include "studies/replay.hpp"
+#include "studies/study/replay.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,11 +12,11 @@
 #include "app/recomputation.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
-#include "results/file_system.hpp"
-#include "results/json.hpp"
-#include "results/text.hpp"
-#include "studies/cell_choice.hpp"
-#include "studies/study_reader.hpp"
+#include "results/schema/text.hpp"
+#include "results/util/file_system.hpp"
+#include "results/util/json.hpp"
+#include "studies/files/study_reader.hpp"
+#include "studies/plan/cell_choice.hpp"
 
 namespace ridgeloc::app {
 

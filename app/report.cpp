@@ -1,4 +1,4 @@
-#include "results/report.hpp"
+#include "results/report/report.hpp"
 
 #include <fmt/format.h>
 

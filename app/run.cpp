@@ -18,10 +18,10 @@
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
-#include "results/file_system.hpp"
-#include "results/parts_folder.hpp"
-#include "studies/runner.hpp"
-#include "studies/study_reader.hpp"
+#include "results/store/parts_folder.hpp"
+#include "results/util/file_system.hpp"
+#include "studies/files/study_reader.hpp"
+#include "studies/run/runner.hpp"
 
 namespace ridgeloc::app {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "results/shell.hpp"
+#include "results/util/shell.hpp"
 
 namespace ridgeloc::app {
 

@@ -1,11 +1,11 @@
-#include "results/table.hpp"
+#include "results/tables/table.hpp"
 
 #include <fmt/format.h>
 
 #include "app/exit_code.hpp"
 #include "app/result_probe.hpp"
 #include "app/verbs.hpp"
-#include "results/result_file.hpp"
+#include "results/store/result_file.hpp"
 
 namespace ridgeloc::app {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "results/schema.hpp"
-#include "studies/assignment.hpp"
+#include "results/schema/schema.hpp"
+#include "studies/plan/assignment.hpp"
 
 /// The verbs of the program, one source file each. Each returns an exit code, or throws core::InputError or
 /// core::IoError, which `main` turns into one line and an exit code.

@@ -7,10 +7,10 @@
 #include "app/recomputation.hpp"
 #include "app/result_probe.hpp"
 #include "app/verbs.hpp"
-#include "results/completeness.hpp"
-#include "results/result_file.hpp"
-#include "results/text.hpp"
-#include "studies/verification.hpp"
+#include "results/schema/text.hpp"
+#include "results/store/result_file.hpp"
+#include "results/summary/completeness.hpp"
+#include "studies/run/verification.hpp"
 
 namespace ridgeloc::app {
 

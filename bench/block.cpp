@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "results/block.hpp"
-#include "studies/study_reader.hpp"
+#include "results/blocks/block.hpp"
+#include "studies/files/study_reader.hpp"
 
 namespace ridgeloc::bench {
 

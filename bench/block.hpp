@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "core/isa.hpp"
-#include "studies/plan.hpp"
-#include "studies/study.hpp"
+#include "studies/plan/plan.hpp"
+#include "studies/study/study.hpp"
 
 namespace ridgeloc::bench {
 

@@ -9,7 +9,7 @@
 
 #include "bench/corridors.hpp"
 #include "bench/graph_scan.hpp"
-#include "solvers/coarse_matching.hpp"
+#include "solvers/coarse/coarse_matching.hpp"
 
 namespace ridgeloc::bench {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "solvers/coarse_graph.hpp"
+#include "solvers/coarse/coarse_graph.hpp"
 
 namespace ridgeloc::bench {
 

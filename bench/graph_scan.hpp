@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "solvers/coarse_matching.hpp"
+#include "solvers/coarse/coarse_matching.hpp"
 
 namespace ridgeloc::bench {
 

@@ -2,10 +2,11 @@
 
 #include "sim/range_noise.hpp"
 #include "solvers/solver.hpp"
-#include "studies/building_maps.hpp"
-#include "studies/catalog.hpp"
-#include "studies/experiment.hpp"
-#include "studies/study_reader.hpp"
+#include "studies/catalog/building_maps.hpp"
+#include "studies/catalog/catalog.hpp"
+#include "studies/files/map_reader.hpp"
+#include "studies/files/study_reader.hpp"
+#include "studies/study/experiment.hpp"
 
 namespace ridgeloc::studies {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
 
-#include "studies/building.hpp"
-#include "studies/detection.hpp"
-#include "studies/experiment.hpp"
-#include "studies/ranging.hpp"
+#include "studies/building/building.hpp"
+#include "studies/detection/detection.hpp"
+#include "studies/ranging/ranging.hpp"
+#include "studies/study/experiment.hpp"
 
 namespace ridgeloc::studies {
 

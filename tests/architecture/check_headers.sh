@@ -9,7 +9,7 @@ compiles_alone() {
   echo "#include \"$1\"" | "${@:2}" -std=c++20 -fsyntax-only -I. -x c++ - || echo "$1: does not compile alone" >&2
 }
 export -f compiles_alone
-complaints=$(printf '%s\n' {core,sim,solvers,results,studies,app,bench}/*.hpp |
+complaints=$(find core sim solvers results studies app bench -name '*.hpp' |
   xargs -P "$(nproc)" -I{} bash -c 'compiles_alone "$@"' _ {} "$compiler" "${flags[@]}" 2>&1)
 if [[ -n "$complaints" ]]; then
   echo "$complaints" >&2

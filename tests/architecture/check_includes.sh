@@ -18,14 +18,40 @@ declare -A allowed=(
   [app]="core results studies app"
   [bench]="core sim solvers studies results bench"
 )
-for folder in "${!allowed[@]}"; do
-  while IFS=: read -r file line include; do
-    target=${include#*\"}
-    target=${target%%/*}
-    [[ " ${allowed[$folder]} " == *" $target "* ]] || complain "$file:$line: $folder may not include $target"
-  done < <(grep -nHoE '^#include "[a-z_]+/' "$folder"/*.cpp "$folder"/*.hpp)
-done
+# Rooms: subfolders, and which others of the same folder each may include. "root" are the files of the folder itself.
+declare -A rooms=(
+  [results/util]=""
+  [results/schema]=""
+  [results/statistics]=""
+  [results/hdf5]="util"
+  [results/blocks]="schema statistics util"
+  [results/pictures]="schema util"
+  [results/summary]="blocks schema statistics"
+  [results/figures]="pictures summary schema statistics"
+  [results/store]="blocks hdf5 summary schema statistics util"
+  [results/tables]="blocks summary schema statistics util"
+  [results/report]="blocks figures store summary schema statistics util"
 
+  [solvers/root]=""
+  [solvers/models]="root"
+  [solvers/estimators]="root models"
+  [solvers/methods]="root models estimators"
+  [solvers/kernels]="root models estimators methods"
+  [solvers/coarse]=""
+  [solvers/reference]="root"
+
+  [studies/study]=""
+  [studies/catalog]=""
+  [studies/files]="study catalog"
+  [studies/plan]="study files"
+  [studies/run]="study plan"
+  [studies/solving]="study"
+  [studies/ranging]="study solving"
+  [studies/photos]="study files solving"
+  [studies/building]="study photos solving"
+  [studies/detection]="study photos"
+  [studies/root]="study catalog files plan run solving ranging photos building detection"
+)
 # Third-party libraries that a folder may use at all; what is not named here is the standard library or the system.
 declare -A libraries=(
   [core]="xsimd"
@@ -38,23 +64,65 @@ declare -A libraries=(
 )
 known='Random123|Eigen|xsimd|ceres|hdf5|H5[A-Za-z]*|openssl|xxhash|fmt|toml\+\+|tbb|CLI|spdlog|catch2'
 known+='|benchmark|unsupported|gsl|cminpack'
-for folder in "${!libraries[@]}"; do
+
+# The room of a file, "results/store"; "results/root" for a file of the folder itself.
+room_of() {
+  local folder=${1%/*}
+  if [[ "$folder" == */* ]]; then echo "$folder"; else echo "$folder/root"; fi
+}
+
+for folder in "${!allowed[@]}"; do
+  mapfile -t sources < <(find "$folder" -name '*.cpp' -o -name '*.hpp' -o -name '*.cpp.in' | sort)
+  while IFS=: read -r file line include; do
+    target=${include#*\"}
+    if [[ " ${allowed[$folder]} " != *" ${target%%/*} "* ]]; then
+      complain "$file:$line: $folder may not include ${target%%/*}"
+      continue
+    fi
+    [[ "${target%%/*}" == "$folder" ]] || continue
+    from=$(room_of "$file")
+    to=$(room_of "$target")
+    [[ "$from" == "$to" || " ${rooms[$from]-} " == *" ${to#*/} "* ]] || complain "$file:$line: $from may not include $to"
+  done < <(grep -nHoE '^#include "[a-z_]+/[a-z_0-9/]+' "${sources[@]}")
+  for room in $(printf '%s\n' "${sources[@]%/*}" | sort -u); do
+    [[ "$room" == "$folder" || -v "rooms[$room]" ]] || complain "$room: a room that the order of rooms does not name"
+  done
   while IFS=: read -r file line include; do
     library=${include#*<}
     library=${library%%[/.]*}
     [[ " ${libraries[$folder]} " == *" $library "* ]] || complain "$file:$line: $folder may not use $library"
-  done < <(grep -nHoE "^#include <($known)[/.]" "$folder"/*.cpp "$folder"/*.hpp)
+  done < <(grep -nHoE "^#include <($known)[/.]" "${sources[@]}")
+done
+
+# The order has no cycle: taking away rooms that include none of those left ends with none.
+left=("${!rooms[@]}")
+while ((${#left[@]} > 0)); do
+  stuck=()
+  for room in "${left[@]}"; do
+    for other in ${rooms[$room]}; do
+      if [[ " ${left[*]} " == *" ${room%%/*}/$other "* ]]; then
+        stuck+=("$room")
+        break
+      fi
+    done
+  done
+  if ((${#stuck[@]} == ${#left[@]})); then
+    complain "rooms that include each other in a circle are among: ${stuck[*]}"
+    break
+  fi
+  left=("${stuck[@]}")
 done
 
 # Internal headers, which no other folder includes, may show a third-party library; public ones may not.
-internal="results/hdf5_handle.hpp studies/toml_document.hpp studies/sections.hpp"
+internal="results/hdf5/hdf5_handle.hpp studies/files/toml_document.hpp studies/files/sections.hpp"
+mapfile -t headers < <(find "${!allowed[@]}" -name '*.hpp' | sort)
 while IFS=: read -r file line include; do
   [[ " $internal " == *" $file "* ]] || complain "$file:$line: $include in a public header"
-done < <(grep -nHE '#include <(hdf5|H5|tbb/|toml|ceres|fmt|openssl|xxhash|CLI|spdlog|benchmark|gsl|cminpack)' ./*/*.hpp | sed 's|^\./||')
+done < <(grep -nHE '#include <(hdf5|H5|tbb/|toml|ceres|fmt|openssl|xxhash|CLI|spdlog|benchmark|gsl|cminpack)' "${headers[@]}")
 for header in $internal; do
   while IFS=: read -r file line _; do
     [[ ${file%%/*} == "${header%%/*}" ]] || complain "$file:$line: includes $header, which is internal"
-  done < <(grep -nH "#include \"$header\"" ./*/*.cpp ./*/*.hpp | sed 's|^\./||')
+  done < <(grep -rnH --include='*.cpp' --include='*.hpp' "#include \"$header\"" "${!allowed[@]}")
 done
 
 ((failures == 0)) || exit 1

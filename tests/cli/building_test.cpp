@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "catch.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc::tests;
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "catch.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc::tests;
 

@@ -1,7 +1,7 @@
 #include <string>
 
-#include "catch.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc::tests;
 

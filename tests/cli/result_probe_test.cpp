@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "catch.hpp"
 #include "core/error.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::app;

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "catch.hpp"
-#include "results/result_file.hpp"
+#include "results/store/result_file.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::tests;

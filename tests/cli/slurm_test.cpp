@@ -1,8 +1,8 @@
 #include <string>
 
-#include "catch.hpp"
-#include "results/result_file.hpp"
+#include "results/store/result_file.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc::tests;
 

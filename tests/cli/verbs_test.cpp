@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "catch.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc::tests;
 

@@ -1,7 +1,7 @@
 
-#include "catch.hpp"
 #include "core/problem.hpp"
 #include "core/solution.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc::core;
 

@@ -1,6 +1,6 @@
 #include "core/edit_distance.hpp"
 
-#include "catch.hpp"
+#include "tests/support/catch.hpp"
 
 using ridgeloc::core::edit_distance;
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "catch.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <random>
 
-#include "catch.hpp"
 #include "core/matrix.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
 

@@ -1,6 +1,6 @@
 #include "core/isa.hpp"
 
-#include "catch.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc::core;
 

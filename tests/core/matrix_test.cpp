@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "catch.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
 

@@ -1,6 +1,6 @@
-#include "catch.hpp"
 #include "core/elementary.hpp"
 #include "tests/core/pack_measurements.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
 

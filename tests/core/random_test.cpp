@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "catch.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc::core;
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <set>
 
-#include "catch.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc::core;
 

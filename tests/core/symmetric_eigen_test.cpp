@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "catch.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
 

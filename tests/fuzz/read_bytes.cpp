@@ -6,9 +6,9 @@
 #include <fstream>
 #include <span>
 
-#include "results/digest.hpp"
-#include "results/sample_study.hpp"
+#include "results/util/digest.hpp"
 #include "tests/fuzz/read_everything.hpp"
+#include "tests/support/sample_study.hpp"
 
 namespace fs = std::filesystem;
 using namespace ridgeloc;

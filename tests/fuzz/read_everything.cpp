@@ -3,12 +3,12 @@
 #include <sstream>
 
 #include "core/error.hpp"
-#include "results/completeness.hpp"
-#include "results/csv.hpp"
-#include "results/parts_folder.hpp"
-#include "results/result_file.hpp"
-#include "results/result_writer.hpp"
-#include "results/table.hpp"
+#include "results/store/parts_folder.hpp"
+#include "results/store/result_file.hpp"
+#include "results/store/result_writer.hpp"
+#include "results/summary/completeness.hpp"
+#include "results/tables/csv.hpp"
+#include "results/tables/table.hpp"
 
 namespace ridgeloc::tests {
 

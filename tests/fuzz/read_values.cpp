@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "results/hdf5.hpp"
-#include "results/sample_result.hpp"
+#include "results/hdf5/hdf5.hpp"
 #include "tests/fuzz/read_everything.hpp"
+#include "tests/support/sample_result.hpp"
 
 namespace fs = std::filesystem;
 using namespace ridgeloc;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "catch.hpp"
 #include "core/random.hpp"
-#include "tests/sim/hall.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/hall.hpp"
 
 using namespace ridgeloc;
 using sim::PlanPoint;

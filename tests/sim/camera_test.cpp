@@ -4,9 +4,9 @@
 #include <numbers>
 #include <utility>
 
-#include "catch.hpp"
 #include "sim/detector.hpp"
-#include "tests/sim/hall.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/hall.hpp"
 
 using namespace ridgeloc;
 using tests::hall;

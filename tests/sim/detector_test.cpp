@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "catch.hpp"
-#include "tests/sim/hall.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/hall.hpp"
 
 using namespace ridgeloc;
 using tests::hall;

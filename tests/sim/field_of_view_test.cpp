@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "catch.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "catch.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
 

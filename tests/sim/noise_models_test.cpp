@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "catch.hpp"
-#include "tests/sim/noise_draw.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/noise_draw.hpp"
 
 using namespace ridgeloc;
 using tests::Draw;

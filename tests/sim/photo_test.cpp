@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "catch.hpp"
 #include "sim/random_building.hpp"
-#include "tests/sim/hall.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/hall.hpp"
 
 using namespace ridgeloc;
 using tests::hall;

@@ -4,7 +4,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "catch.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
 

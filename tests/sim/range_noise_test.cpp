@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "catch.hpp"
 #include "sim/field_of_view.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
 

@@ -10,10 +10,10 @@
 #include <filesystem>
 #include <string>
 
-#include "catch.hpp"
-#include "results/result_file.hpp"
-#include "studies/runner.hpp"
-#include "studies/study_reader.hpp"
+#include "results/store/result_file.hpp"
+#include "studies/files/study_reader.hpp"
+#include "studies/run/runner.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;

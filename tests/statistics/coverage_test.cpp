@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "catch.hpp"
-#include "results/interval.hpp"
-#include "results/ratio.hpp"
-#include "results/statistics.hpp"
+#include "results/statistics/interval.hpp"
+#include "results/statistics/statistics.hpp"
+#include "results/summary/ratio.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc::results;
 

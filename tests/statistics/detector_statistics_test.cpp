@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "catch.hpp"
 #include "sim/photo.hpp"
-#include "tests/sim/hall.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/hall.hpp"
 
 using namespace ridgeloc;
 using tests::hall;

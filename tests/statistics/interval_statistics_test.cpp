@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
-#include "catch.hpp"
-#include "results/interval.hpp"
+#include "results/statistics/interval.hpp"
+#include "tests/support/catch.hpp"
 
 namespace {
 

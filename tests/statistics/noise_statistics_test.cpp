@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "catch.hpp"
-#include "tests/sim/noise_draw.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/noise_draw.hpp"
 
 using namespace ridgeloc;
 using tests::draw_errors;

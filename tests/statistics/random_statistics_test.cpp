@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "catch.hpp"
 #include "core/random.hpp"
 #include "core/stream.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc::core;
 

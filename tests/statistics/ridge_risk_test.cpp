@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "catch.hpp"
-#include "tests/solvers/sample.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/sample.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::tests;

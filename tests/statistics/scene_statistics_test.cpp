@@ -5,9 +5,9 @@
 #include <numbers>
 #include <vector>
 
-#include "catch.hpp"
 #include "sim/field_of_view.hpp"
 #include "sim/range_noise.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
 

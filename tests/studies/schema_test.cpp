@@ -4,9 +4,9 @@
 #include <set>
 #include <string>
 
-#include "catch.hpp"
-#include "results/schema.hpp"
-#include "studies/experiment.hpp"
+#include "results/schema/schema.hpp"
+#include "studies/study/experiment.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace ridgeloc::studies;
 

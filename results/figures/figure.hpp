@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "results/summary/summary.hpp"
+
+namespace ridgeloc::results {
+
+/// Draws a figure as SVG, PDF or PNG (300 dots per inch), as the extension of `output` says; needs gnuplot.
+/// The file appears complete or not at all.
+///
+/// Throws core::InputError for an unknown extension, an unknown name in the figure (see `figure_data`) or a
+/// missing gnuplot, and core::IoError when drawing or writing fails.
+void draw_figure(const Summary& summary, const FigureSpec& spec, const std::filesystem::path& output);
+
+}  // namespace ridgeloc::results

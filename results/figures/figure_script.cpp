@@ -1,0 +1,264 @@
+#include "results/figures/figure_script.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "results/figures/figure_layout.hpp"
+#include "results/pictures/gnuplot.hpp"
+#include "results/pictures/page_script.hpp"
+
+namespace ridgeloc::results {
+namespace {
+
+using Layout = FigureLayout;
+
+/// Of bands around lines, and of those of bounds, which lie behind them.
+constexpr double band_opacity = 0.2;
+constexpr double bound_band_opacity = 0.12;
+
+Page page_of(const Layout& layout) {
+  return {Layout::width, layout.height};
+}
+
+struct Style {
+  const char* colour = "#444444";
+  int filled_mark = filled_marks.front();
+  bool open = false;
+  const char* dash = dashes.front();
+};
+
+/// Open or filled marks and the dash tell the metrics apart.
+Style with_metric(Style style, std::size_t metric) {
+  style.open = metric % 2 == 1;
+  style.dash = dashes[metric % dashes.size()];
+  return style;
+}
+
+Style line_style(const FigureData& data, std::size_t group, std::size_t metric) {
+  const Style style = {colours[group % colours.size()], filled_marks[group % filled_marks.size()], false,
+                       dashes[group % dashes.size()]};
+  return data.metrics.size() > 1 ? with_metric(style, metric) : style;
+}
+
+/// Grey where it belongs to several groups; the dash tells such ones apart.
+Style bound_style(const std::optional<std::size_t>& group, std::size_t entry) {
+  Style style;
+  if (group) style.colour = colours[*group % colours.size()];
+  style.dash = bound_dashes[entry % bound_dashes.size()];
+  return style;
+}
+
+/// A line, given with its plotting style, and its marks if the figure has any. Under an open mark the line is covered.
+std::string drawn_line(const FigureData& data, const std::string& line, const std::string& places, const Style& style) {
+  std::string elements = fmt::format("{} lw 1.2 lc rgb '{}' dt {}", line, style.colour, style.dash);
+  if (data.style != FigureStyle::Marks) return elements;
+  const auto marks = [&](int mark, double size, const char* colour) {
+    append(elements, next_element,
+           fmt::format("{} using 1:2 with points pt {} ps {} lw 1 lc rgb '{}'", places, mark, size, colour));
+  };
+  if (style.open) marks(style.filled_mark, 0.4, "white");
+  marks(style.filled_mark - (style.open ? 1 : 0), 0.5, style.colour);
+  return elements;
+}
+
+const std::string& legend_text(const FigureData& data, const LegendEntry& entry) {
+  switch (entry.kind) {
+    case LegendEntry::Kind::Metric:
+      return data.metrics[entry.index];
+    case LegendEntry::Kind::Bound:
+      return data.bounds[entry.index];
+    case LegendEntry::Kind::Group:
+      break;
+  }
+  return data.groups[entry.index];
+}
+
+std::string drawn_bound_line(const std::string& line, const Style& style) {
+  return fmt::format("{} lw 1.1 lc rgb '{}' dt {}", line, style.colour, style.dash);
+}
+
+/// All that is written on the page outside of the panels' axes.
+std::string lettering(const FigureData& data, const Layout& layout) {
+  std::string script;
+  const auto lines = [&](const std::vector<std::string>& texts, double x, double y, double height,
+                         const char* options) {
+    for (const std::string& line : texts) {
+      script += page_text(page_of(layout), x, y, line, options);
+      y += height;
+    }
+  };
+  lines(layout.title, Layout::width / 2.0, layout.title_y, PageStyle::line_height, "center font ',8.5'");
+  lines(layout.conditions, Layout::width / 2.0, layout.conditions_y, PageStyle::line_height, "center font ',7'");
+  lines(layout.footnote, PageStyle::edge, layout.footnote_y, PageStyle::footnote_line_height,
+        "left font ',5.5' tc rgb '#444444'");
+  script += page_text(page_of(layout), (layout.left + Layout::width - PageStyle::right) / 2.0, layout.x_label_y,
+                      data.x_label, "center font ',7'");
+  // One label for all panels: they share the quantity and its range.
+  double x = PageStyle::edge + PageStyle::line_height / 2.0;
+  for (const std::string& line : layout.y_label) {
+    script += page_text(page_of(layout), x, (layout.panels.front().top + layout.panels.back().bottom) / 2.0, line,
+                        "center rotate by 90 font ',7'");
+    x += PageStyle::line_height;
+  }
+  for (std::size_t i = 0; i < layout.panels.size(); ++i) {
+    if (data.panels[i].label.empty()) continue;
+    const std::string letter(1, static_cast<char>('a' + i % 26));
+    script += page_text(page_of(layout), layout.left, layout.panels[i].label_y,
+                        fmt::format("({}) {}", letter, data.panels[i].label), "left font ',7.5'");
+  }
+  if (data.groups.size() > 1) {
+    script +=
+        page_text(page_of(layout), Layout::width / 2.0, layout.legend_title_y, data.group_title, "center font ',7'");
+  }
+  for (const LegendEntry& entry : layout.legend) {
+    script += page_text(page_of(layout), entry.x + PageStyle::sample_length + PageStyle::sample_gap, entry.y,
+                        legend_text(data, entry), "left font ',7'");
+  }
+  return script;
+}
+
+/// Plots the legend's samples over the whole page, in coordinates of millimetres; the lettering comes with
+/// it.
+std::string draw_page(const FigureData& data, const Layout& layout) {
+  std::string script = lettering(data, layout) + margins(page_of(layout), 0.0, Layout::width, 0.0, layout.height) +
+                       "unset border\nunset tics\n" + axis_ranges({0.0, Layout::width}, {layout.height, 0.0});
+  std::string elements;
+  for (std::size_t i = 0; i < layout.legend.size(); ++i) {
+    const LegendEntry& entry = layout.legend[i];
+    const std::string name = fmt::format("$sample{}", i);
+    script += fmt::format("{0} << EOD\n{1} {3} {4}\n\n\n{2} {3}\nEOD\n", name, entry.x,
+                          entry.x + PageStyle::sample_length / 2.0, entry.y, PageStyle::sample_length);
+    const std::string line = name + " index 0 using 1:2:3:(0) with vectors nohead";
+    if (entry.kind == LegendEntry::Kind::Bound) {
+      append(elements, next_element, drawn_bound_line(line, bound_style(std::nullopt, entry.index)));
+      continue;
+    }
+    const Style style =
+        entry.kind == LegendEntry::Kind::Metric ? with_metric(Style{}, entry.index) : line_style(data, entry.index, 0);
+    append(elements, next_element, drawn_line(data, line, name + " index 1", style));
+  }
+  return script + plot_command(elements) + "unset label\n";
+}
+
+/// Ticks of a logarithmic axis: labelled at 1, 2 and 5 times the powers of ten where the axis is short, else
+/// at the powers alone.
+std::string log_y_ticks(const AxisRange& range) {
+  const bool is_short = range.high < 300.0 * range.low;
+  std::string list;
+  for (int power = static_cast<int>(std::floor(std::log10(range.low))); std::pow(10.0, power) <= range.high; ++power) {
+    for (int digit = 1; digit < 10; ++digit) {
+      const double value = std::stod(fmt::format("{}e{}", digit, power));
+      const bool major = digit == 1 || (is_short && (digit == 2 || digit == 5));
+      append(list, ", ", fmt::format("'{}' {} {}", major ? fmt::format("{:g}", value) : "", value, major ? 0 : 1));
+    }
+  }
+  return fmt::format("set ytics nomirror ({})\n", list);
+}
+
+std::string x_ticks(const Layout& layout, bool labelled) {
+  std::string list;
+  for (const FigureTick& tick : layout.ticks) {
+    append(list, ", ",
+           fmt::format("{} {} {}", gnuplot_tick_label(labelled ? tick.label : ""), tick.position,
+                       tick.label.empty() ? 1 : 0));
+  }
+  return fmt::format("set xtics nomirror offset 0,0.4 ({})\n", list);
+}
+
+std::string panel_axes(const FigureData& data, const Layout& layout) {
+  std::string script =
+      "set border 3 lw 0.7\n"
+      "set tics nomirror out scale 0.5,0.3 font ',7'\n"
+      "set xtics nomirror\nset ytics nomirror\n"
+      "set grid xtics ytics back lt 1 lc rgb '#dcdcdc' lw 0.5\n"
+      "set format y '%g'\n";
+  script += axis_ranges(layout.x, layout.y);
+  if (data.log_x) script += "set logscale x\n";
+  if (data.log_y) script += "set logscale y\n" + log_y_ticks(layout.y);
+  return script;
+}
+
+/// x, y, lower and upper end of the bar, whether it is trusted; within the axis.
+std::string point_row(const Layout& layout, const FigurePoint& point, double x) {
+  return fmt::format("{} {} {} {} {}\n", x, std::max(point.y, layout.y.low), std::max(point.lo, layout.y.low),
+                     std::min(point.hi, layout.y.high), point.trusted ? 1 : 0);
+}
+
+/// A data block of the line's points.
+std::string data_block(const std::string& name, const FigureData& data, const Layout& layout, const FigureLine& line) {
+  std::string block = name + " << EOD\n";
+  // A mark that has no place is left out; a line goes along the edge there.
+  const bool has_marks = data.style == FigureStyle::Marks;
+  for (const FigurePoint& point : line.points) {
+    if (has_marks && !is_drawable(point, data.log_y)) continue;
+    block += point_row(layout, point, dodged(data, layout, line, point.x));
+  }
+  return block + "EOD\n";
+}
+
+/// The error bars of a line; a dotted one is not trusted.
+std::string bars(const std::string& name, const Style& style) {
+  // A bar is a vector from its lower to its upper end, with heads of 90 degrees for caps: gnuplot's own error
+  // bars leave a gap around the mark.
+  return fmt::format(
+      "{0} using 1:($5 == 1 ? $3 : NaN):(0):($4 - $3) with vectors heads size screen 0.008,90 lw 0.9 lc rgb "
+      "'{1}'{2}"
+      "{0} using 1:($5 == 0 ? $3 : NaN):(0):($4 - $3) with vectors nohead lw 1.2 lc rgb '{1}' dt (2,3)",
+      name, style.colour, next_element);
+}
+
+/// Where the line may lie, a shade of its colour.
+std::string band(const std::string& name, const Style& style, double opacity) {
+  return fmt::format("{} using 1:3:4 with filledcurves lc rgb '{}' fs transparent solid {} noborder", name,
+                     style.colour, opacity);
+}
+
+std::string draw_panel(const FigureData& data, const Layout& layout, std::size_t index) {
+  const PanelLayout& place = layout.panels[index];
+  std::string script = margins(page_of(layout), layout.left, Layout::width - PageStyle::right, place.top, place.bottom);
+  script += x_ticks(layout, index + 1 == layout.panels.size());
+  std::string bands;  // behind all lines
+  std::string elements;
+  for (std::size_t i = 0; i < data.panels[index].bounds.size(); ++i) {
+    const FigureBound& bound = data.panels[index].bounds[i];
+    const std::vector<FigurePoint> points = drawn_bound(data, layout, bound);
+    if (points.empty()) continue;
+    const std::string name = fmt::format("$panel{}_bound{}", index, i);
+    const Style style = bound_style(bound.group, bound.entry);
+    script += name + " << EOD\n";
+    for (const FigurePoint& point : points) script += point_row(layout, point, point.x);
+    script += "EOD\n";
+    if (bound.has_band) append(bands, next_element, band(name, style, bound_band_opacity));
+    append(elements, next_element, drawn_bound_line(name + " using 1:2 with lines", style));
+  }
+  for (const FigureLine& line : data.panels[index].lines) {
+    const bool any = std::any_of(line.points.begin(), line.points.end(),
+                                 [&](const FigurePoint& point) { return is_drawable(point, data.log_y); });
+    if (!any) continue;
+    const std::string name = fmt::format("$panel{}_group{}_metric{}", index, line.group, line.metric);
+    const Style style = line_style(data, line.group, line.metric);
+    script += data_block(name, data, layout, line);
+    if (data.style == FigureStyle::Marks) append(elements, next_element, bars(name, style));
+    if (data.style == FigureStyle::Bands) append(bands, next_element, band(name, style, band_opacity));
+    append(elements, next_element, drawn_line(data, name + " using 1:2 with lines", name, style));
+  }
+  if (!bands.empty()) elements = bands + std::string(next_element) + elements;
+  return script + plot_command(elements);
+}
+
+}  // namespace
+
+std::string figure_script(const FigureData& data, FigureFormat format, const std::filesystem::path& output) {
+  const Layout layout = figure_layout(data);
+  std::string script = fmt::format("set encoding utf8\nset terminal {} noenhanced\nset output {}\n",
+                                   terminal(format, page_of(layout)), gnuplot_string(output.string()));
+  script += "unset key\nset multiplot\n" + draw_page(data, layout) + panel_axes(data, layout);
+  for (std::size_t i = 0; i < data.panels.size(); ++i) script += draw_panel(data, layout, i);
+  return script + "unset multiplot\nunset output\n";
+}
+
+}  // namespace ridgeloc::results

@@ -1,0 +1,126 @@
+#include "results/store/block_source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace ridgeloc::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// By number of a cell or method in one header: its numbers in another.
+using Numbers = std::vector<std::vector<std::size_t>>;
+
+template <typename Info>
+Numbers numbers_of(const std::vector<Info>& found, const std::vector<Info>& wanted) {
+  std::multimap<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < wanted.size(); ++i) places.emplace(wanted[i].hash, i);
+  Numbers numbers;
+  for (const Info& info : found) {
+    std::vector<std::size_t>& here = numbers.emplace_back();
+    const auto [begin, end] = places.equal_range(info.hash);
+    for (auto place = begin; place != end; ++place) here.push_back(place->second);
+  }
+  return numbers;
+}
+
+const std::vector<std::size_t>& at(const Numbers& numbers, std::size_t number, const fs::path& path, const char* what) {
+  if (number >= numbers.size())
+    throw core::IoError(fmt::format("{} is damaged: it names an unknown {}", path.string(), what));
+  if (numbers[number].empty())
+    throw core::InputError(fmt::format(
+        "{} holds a {} that the study has not; add it to the study, or choose another -o", path.string(), what));
+  return numbers[number];
+}
+
+TrialColumns read_one(const hdf5::File& file, const Schema& schema, const StoredColumns& stored) {
+  TrialColumns columns{stored.cell, stored.method, stored.block, stored.trials, {}, {}};
+  const bool in_part = stored.group.empty();
+  if (stored.has_status)
+    columns.status = file.read<std::uint8_t>(in_part ? "/columns/status" : stored.group + "/status",
+                                             stored.status_offset, stored.trials);
+  std::uint64_t offset = stored.value_offset;
+  for (std::size_t m = 0; m < stored.has_metric.size(); ++m) {
+    std::vector<double>& metric = columns.metrics.emplace_back();
+    if (stored.has_metric[m] == 0) continue;
+    metric = file.read<double>(in_part ? "/columns/value" : stored.group + "/" + schema.metrics[m].name, offset,
+                               stored.trials);
+    if (in_part) offset += stored.trials;
+  }
+  return columns;
+}
+
+std::vector<std::string> names_of(const Schema& schema) {
+  std::vector<std::string> names;
+  for (const MetricInfo& metric : schema.metrics) names.push_back(metric.name);
+  for (const EventInfo& event : schema.events) names.push_back(event.name);
+  return names;
+}
+
+}  // namespace
+
+std::vector<TrialColumns> read_columns(const fs::path& path, const Schema& schema,
+                                       const std::vector<StoredColumns>& stored) {
+  const hdf5::File file = hdf5::File::open(path);
+  std::vector<TrialColumns> list;
+  for (const StoredColumns& block : stored) list.push_back(read_one(file, schema, block));
+  return list;
+}
+
+void require_same_study(const Header& found, const Header& wanted, const std::string& what) {
+  if (found.experiment == wanted.experiment && found.experiment_version != wanted.experiment_version)
+    throw core::InputError(
+        fmt::format("{} was computed by version {} of the experiment {}, this program has {}; compute it again under "
+                    "another name",
+                    what, found.experiment_version, found.experiment, wanted.experiment_version));
+  if (found.study_hash != wanted.study_hash || found.block_trials != wanted.block_trials ||
+      names_of(found.schema) != names_of(wanted.schema))
+    throw core::InputError(
+        fmt::format("{} belongs to another study; finish that one, remove it, or choose another -o", what));
+  if (found.isa != wanted.isa && wanted.isa != mixed_isa)
+    throw core::InputError(
+        fmt::format("{} was computed with the instruction set {}; go on with --isa {}, or choose another -o", what,
+                    found.isa, found.isa));
+}
+
+void renumber(BlockSource& source, const Header& found, const Header& wanted) {
+  const Numbers cells = numbers_of(found.cells, wanted.cells);
+  const Numbers methods = numbers_of(found.methods, wanted.methods);
+  const auto for_each_place = [&](std::size_t cell, std::size_t method, auto&& f) {
+    for (const std::size_t c : at(cells, cell, source.path, "cell"))
+      for (const std::size_t m : at(methods, method, source.path, "method")) f(c, m);
+  };
+
+  Ledger ledger(wanted.block_trials);
+  for (const Row& row : source.ledger.rows())
+    for_each_place(row.cell, row.method, [&](std::size_t cell, std::size_t method) {
+      Row moved = row;
+      moved.cell = cell;
+      moved.method = method;
+      ledger.insert(std::move(moved));
+    });
+  source.ledger = std::move(ledger);
+
+  FailureList failures;
+  for (const auto& [key, trials] : source.failures.trials())
+    for_each_place(key.cell, key.method, [&, reason = key.reason, &numbers = trials](auto cell, auto method) {
+      failures.insert({cell, method, reason}, numbers);
+    });
+  source.failures = std::move(failures);
+
+  std::vector<StoredColumns> columns;
+  for (const StoredColumns& stored : source.columns)
+    for_each_place(stored.cell, stored.method, [&](std::size_t cell, std::size_t method) {
+      StoredColumns& moved = columns.emplace_back(stored);
+      moved.cell = cell;
+      moved.method = method;
+    });
+  source.columns = std::move(columns);
+}
+
+}  // namespace ridgeloc::results

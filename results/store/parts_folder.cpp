@@ -1,0 +1,61 @@
+#include "results/store/parts_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "results/store/part.hpp"
+#include "results/store/result_file.hpp"
+#include "results/util/file_system.hpp"
+
+namespace ridgeloc::results {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* part_prefix = "part-";
+constexpr const char* part_extension = ".h5";
+
+}  // namespace
+
+fs::path parts_folder(const fs::path& result) {
+  return result.string() + ".parts";
+}
+
+std::string part_name(std::uint64_t number) {
+  return fmt::format("{}{:06}{}", part_prefix, number, part_extension);
+}
+
+PartsFolderContent content_of(const fs::path& folder) {
+  PartsFolderContent content;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+    if (TemporaryFile::is_temporary(entry.path())) {
+      content.temporaries.push_back(entry.path());
+    } else if (entry.path().extension() == part_extension &&
+               entry.path().filename().string().starts_with(part_prefix)) {
+      content.parts.push_back(entry.path());
+    }
+  }
+  std::ranges::sort(content.parts);
+  return content;
+}
+
+std::vector<Header> headers_at(const fs::path& path) {
+  std::vector<Header> headers;
+  std::error_code unknown;
+  if (fs::exists(path, unknown)) headers.push_back(read_result_header(path));
+  for (const fs::path& part : content_of(parts_folder(path)).parts) {
+    try {
+      headers.push_back(read_part_header(part));
+    } catch (const core::IoError&) {
+      continue;
+    }
+  }
+  return headers;
+}
+
+}  // namespace ridgeloc::results

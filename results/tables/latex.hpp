@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "results/summary/summary.hpp"
+
+namespace ridgeloc::results {
+
+/// What the tables of a result show where nothing is asked for: the metrics and events of the study's figures, else its
+/// first metric and first event.
+std::vector<std::string> leading_quantities(const Header& header);
+
+/// Where a table comes from.
+struct LatexSource {
+  std::string digest;   ///< of the data; its first 12 digits enter the captions
+  std::string command;  ///< that makes the tables, for a comment
+};
+
+/// A LaTeX table (package booktabs) for each of the metrics and events: a row per cell, a column per method that
+/// reports it, differences of methods left out. Values are the median of heavy-tailed metrics, else the mean or the
+/// rate, followed by the standard error of their last digits in parentheses: 0.1352(12). Those of medians and rates are
+/// the width of the 95 % interval over 3.92.
+///
+/// Precondition: the schema has all `quantities`. Throws core::InputError for one that no method reports.
+std::string latex_tables(const Summary& summary, const std::vector<std::string>& quantities, const LatexSource& source);
+
+/// Text that LaTeX shows as it is, also at the beginning of a row.
+std::string latex_text(std::string_view text);
+
+}  // namespace ridgeloc::results

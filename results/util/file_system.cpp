@@ -1,0 +1,169 @@
+#include "results/util/file_system.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace ridgeloc::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* temporary_suffix = ".ridgeloc-tmp";
+
+std::string reason(int error) {
+  return std::generic_category().message(error);
+}
+
+fs::path folder_of(const fs::path& file) {
+  const fs::path parent = file.parent_path();
+  return parent.empty() ? fs::path(".") : parent;
+}
+
+/// Flushes a file or a folder to the disk.
+void synchronize(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw core::IoError(fmt::format("cannot open {}: {}", path.string(), reason(errno)));
+  const int returned = ::fsync(descriptor);
+  const int error = errno;
+  ::close(descriptor);
+  // Some network file systems cannot synchronize a folder and say so by EINVAL; the rename itself has
+  // succeeded.
+  if (returned != 0 && error != EINVAL)
+    throw core::IoError(fmt::format("cannot flush {} to the disk: {}", path.string(), reason(error)));
+}
+
+}  // namespace
+
+void require_writable(const fs::path& file) {
+  const fs::path folder = folder_of(file);
+  std::error_code error;
+  if (file.filename().empty() || fs::is_directory(file, error))
+    throw core::InputError(fmt::format("cannot write {}: it is a folder; add a file name to -o", file.string()));
+  if (!fs::exists(folder, error))
+    throw core::InputError(fmt::format("cannot write {}: the folder {} does not exist; create it or choose another -o",
+                                       file.string(), folder.string()));
+  if (!fs::is_directory(folder, error))
+    throw core::InputError(
+        fmt::format("cannot write {}: {} is not a folder; choose another -o", file.string(), folder.string()));
+
+  // Only an attempt tells the truth about permissions, read-only mounts and quotas.
+  // Its name is that of a temporary: what a killed program leaves of it is removed like one.
+  std::string probe = fmt::format("{}.XXXXXX{}", file.string(), temporary_suffix);
+  const int descriptor = ::mkstemps(probe.data(), static_cast<int>(std::string_view(temporary_suffix).size()));
+  if (descriptor < 0)
+    throw core::InputError(fmt::format("cannot write {}: {}; make the folder {} writable or choose another -o",
+                                       file.string(), reason(errno), folder.string()));
+  ::close(descriptor);
+  ::unlink(probe.c_str());
+}
+
+void require_new(const fs::path& file) {
+  require_writable(file);
+  std::error_code unknown;
+  if (fs::exists(file, unknown))
+    throw core::InputError(fmt::format("{} exists; choose another -o or remove it", file.string()));
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directory(folder, error);
+  if (error)
+    throw core::InputError(
+        fmt::format("cannot create the folder {}: {}; choose another -o", folder.string(), error.message()));
+  synchronize(folder_of(folder));
+}
+
+TemporaryFile::TemporaryFile(fs::path final_path)
+    : final_(std::move(final_path)),
+      temporary_(fmt::format("{}.{}{}", final_.string(), ::getpid(), temporary_suffix)) {}
+
+TemporaryFile::~TemporaryFile() {
+  if (published_) return;
+  std::error_code ignored;
+  fs::remove(temporary_, ignored);
+}
+
+void TemporaryFile::publish() {
+  synchronize(temporary_);
+  std::error_code error;
+  fs::rename(temporary_, final_, error);
+  if (error)
+    throw core::IoError(
+        fmt::format("cannot rename {} to {}: {}", temporary_.string(), final_.string(), error.message()));
+  published_ = true;
+  synchronize(folder_of(final_));
+}
+
+bool TemporaryFile::is_temporary(const fs::path& file) {
+  return file.extension() == temporary_suffix;
+}
+
+void TemporaryFile::remove_leftovers(const fs::path& final_path) {
+  std::error_code ignored;
+  const std::string beginning = final_path.filename().string() + ".";
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(final_path), ignored)) {
+    const bool of_this_file = entry.path().filename().string().starts_with(beginning);
+    if (of_this_file && is_temporary(entry.path())) fs::remove(entry.path(), ignored);
+  }
+}
+
+bool begins_as_hdf5(const fs::path& file) {
+  constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+  std::array<char, signature.size()> beginning{};
+  std::ifstream in(file, std::ios::binary);
+  in.read(beginning.data(), beginning.size());
+  return in && std::string_view(beginning.data(), beginning.size()) == signature;
+}
+
+void refuse_to_replace_result(const fs::path& file) {
+  if (begins_as_hdf5(file))
+    throw core::InputError(
+        fmt::format("{} is an HDF5 file and is not replaced; choose another -o or remove it", file.string()));
+}
+
+std::string temporary_name() {
+  std::error_code missing;
+  const fs::path folder = fs::temp_directory_path(missing);
+  if (missing) throw core::IoError("there is no folder for temporary files; set TMPDIR to a writable one");
+  return (folder / "ridgeloc-XXXXXX").string();
+}
+
+FolderLock::FolderLock(const fs::path& folder) {
+  for (;;) {
+    descriptor_ = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor_ < 0)
+      throw core::IoError(fmt::format("cannot open the folder {}: {}", folder.string(), reason(errno)));
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      ::close(descriptor_);
+      throw core::InputError(
+          fmt::format("another run is writing to {}; wait for it, stop it, or choose another -o", folder.string()));
+    }
+    // The run that held the lock may have removed the folder since it was opened: then this locks a folder without
+    // name.
+    struct stat locked {};
+    struct stat named {};
+    const bool same = ::fstat(descriptor_, &locked) == 0 && ::stat(folder.c_str(), &named) == 0 &&
+                      locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
+    if (same) return;
+    ::close(descriptor_);
+    make_folder(folder);
+  }
+}
+
+FolderLock::~FolderLock() {
+  ::close(descriptor_);
+}
+
+}  // namespace ridgeloc::results

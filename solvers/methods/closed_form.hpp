@@ -1,0 +1,148 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "core/matrix.hpp"
+#include "solvers/methods/step.hpp"
+#include "solvers/models/least_squares.hpp"
+#include "solvers/models/observation.hpp"
+#include "solvers/models/weight.hpp"
+
+/// Positions without iterating. With x counted from the start x_0 and q = |x|^2, an observation reads
+///   2 p_i'x + alpha_i V = |p_i|^2 - rho_i + q,   V = v^2   (ranges: no V, rho_i = m_i^2),
+/// which is linear in (x, V, q). Both forms are least squares in these, with weights s^2.
+namespace ridgeloc::solvers {
+
+/// A position found directly.
+template <class Vector, class Mask>
+struct ClosedForm {
+  Vector u;
+  Mask singular;
+};
+
+/// q as one more unknown: linear least squares with an intercept, for n > p.
+template <class Model, class Real = typename Model::Real>
+[[gnu::noinline]] auto linear_form(const Model& model, const SolverOptions& options)
+    -> ClosedForm<typename Model::Vector, core::Mask<Real>> {
+  constexpr std::size_t P = Model::unknowns;
+  const ScoreWeights weigh(options);
+  const Real zero(0.0);
+  // Means of rows and right sides; then least squares about them.
+  Real total = zero;
+  auto mean = every<P>(zero);
+  Real mean_right = zero;
+  for_each_point(model, [&](auto j, const auto&) {
+    const auto line = model.lifted(j);
+    const Real w = weigh(j, model.score(j), zero) * Real(1.0);  // a UnitScore as a number
+    total = total + w;
+    core::unroll<P>([&](auto i) { mean[i] = core::mul_add(w, line.row[i], mean[i]); });
+    mean_right = core::mul_add(w, line.residual, mean_right);
+  });
+  const Real inverse = core::reciprocal(total);
+  mean = core::scale(inverse, mean);
+  mean_right = mean_right * inverse;
+  NormalEquations<Real, P> equations;
+  for_each_point(model, [&](auto j, const auto&) {
+    const auto line = model.lifted(j);
+    equations.add({core::subtract(line.row, mean), line.residual - mean_right},
+                  weigh(j, model.score(j), zero) * Real(1.0));
+  });
+  const auto solution = core::solve(equations.matrix, equations.gradient);
+  return {model.unlifted(solution.x), solution.singular};
+}
+
+/// q as a known number, which makes (x, V) linear in it, and then the root of |x(q)|^2 = q (after Bancroft 1985), for
+/// n >= p. Of two roots, V > 0 permitting, that of smaller squared residuals for n > p; for n = p, where both fit, that
+/// nearer to the start. Where there is none, the real part of the pair.
+template <class Model, class Real = typename Model::Real>
+[[gnu::noinline]] auto bancroft_form(const Model& model, const SolverOptions& options)
+    -> ClosedForm<typename Model::Vector, core::Mask<Real>> {
+  constexpr std::size_t P = Model::unknowns;
+  const ScoreWeights weigh(options);
+  const Real zero(0.0);
+  NormalEquations<Real, P> equations;
+  auto ones = every<P>(zero);  // the right side of a 1 in every observation: what q is multiplied with
+  for_each_point(model, [&](auto j, const auto&) {
+    const auto line = model.lifted(j);
+    const Real w = weigh(j, model.score(j), zero) * Real(1.0);
+    equations.add(line, w);
+    core::unroll<P>([&](auto i) { ones[i] = core::mul_add(w, line.row[i], ones[i]); });
+  });
+  const auto constant = core::solve(equations.matrix, equations.gradient);
+  const auto slope = core::solve(equations.matrix, ones).x;
+
+  // |f + q g|^2 = q over the coordinates: a q^2 + 2 b q + c = 0.
+  Real a = zero;
+  Real b(-0.5);
+  Real c = zero;
+  core::unroll<Model::positions>([&](auto i) {
+    a = core::mul_add(slope[i], slope[i], a);
+    b = core::mul_add(slope[i], constant.x[i], b);
+    c = core::mul_add(constant.x[i], constant.x[i], c);
+  });
+  const Real discriminant = core::neg_mul_add(a, c, b * b);
+  const Real root = core::sqrt(core::max(discriminant, zero));
+  // Stable for either sign of b: the root of larger size first, the other from their product.
+  const Real larger = -(b + core::select(b < zero, -root, root));
+  const Real from_product = c * core::reciprocal(larger);
+  const Real one_of = core::select(a > zero, larger * core::reciprocal(a), from_product);
+  const Real other = core::select(discriminant < zero, one_of, from_product);
+  const auto at = [&](const Real& q) {
+    return core::make_vector<P>([&](auto i) { return core::mul_add(q, slope[i], constant.x[i]); });
+  };
+  const auto first = at(other);
+  const auto second = at(one_of);
+  const auto first_u = model.unlifted(first);
+  const auto second_u = model.unlifted(second);
+  const bool exact = model.points() == P;
+  const Real first_cost = exact ? other : weighted_squares(model, first_u, weigh);
+  const Real second_cost = exact ? one_of : weighted_squares(model, second_u, weigh);
+  // Costs that are not numbers, those of an impossible V, lose.
+  const core::Mask<Real> take_second =
+      ((second_cost < first_cost) | !(first_cost <= first_cost) | !model.possible(first)) &
+      ((second_cost <= second_cost) & model.possible(second));
+  return {core::select<Real>(take_second, second_u, first_u), constant.singular};
+}
+
+/// One of the closed forms as a solver: its one step goes from the start to the solution.
+template <bool bancroft>
+struct Direct : MethodDefaults {
+  static constexpr bool is_direct = true;
+
+  const SolverOptions& options;
+
+  explicit Direct(const SolverOptions& o) : options(o) {}
+
+  template <class Model, class Vector>
+  ScoreWeights weights(const Model&, const Vector&) const {
+    return ScoreWeights(options);
+  }
+
+  template <class Model, class Vector, class Real, class Oracle, class Memory>
+  Step<Real, Model::unknowns> step(const Model& model, const Vector& u, const Real&, const Oracle*, Memory&) const {
+    const auto found = [&] {
+      if constexpr (bancroft) {
+        return bancroft_form(model, options);
+      } else {
+        return linear_form(model, options);
+      }
+    }();
+    return {core::subtract(u, found.u), found.singular, !found.singular, {}};
+  }
+};
+
+struct Linear : SingleVariant<Direct<false>> {
+  static constexpr std::string_view name = "linear";
+  static constexpr std::string_view summary = "closed form: lifted linear least squares, needs n > p";
+  static constexpr std::array<std::string_view, 0> option_names{};
+};
+
+struct Bancroft : SingleVariant<Direct<true>> {
+  static constexpr std::string_view name = "bancroft";
+  static constexpr std::string_view summary = "closed form: Bancroft's quadratic";
+  static constexpr std::array<std::string_view, 0> option_names{};
+};
+
+}  // namespace ridgeloc::solvers

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <type_traits>
+
+#include "core/problem.hpp"
+#include "solvers/models/kernel_size.hpp"
+#include "solvers/models/pseudorange_model.hpp"
+#include "solvers/models/range_model.hpp"
+#include "solvers/options.hpp"
+
+namespace ridgeloc::solvers {
+
+/// Calls f with the model, as std::type_identity, that a batch and the options ask for. Pseudoranges have small
+/// kernels, whatever `size` says.
+template <class Real, KernelSize size, class F>
+void with_model(const core::ProblemBatch& problems, const SolverOptions& options, F f) {
+  using Narrow = typename core::RealTraits<Real>::Narrow;
+  if (problems.has_images()) {
+    const bool height_known = options.z_mode == ZMode::Fixed;
+    if (options.v_mode == VMode::Fixed) {
+      if (height_known) return f(std::type_identity<PseudorangeModel<Narrow, 2, false>>{});
+      return f(std::type_identity<PseudorangeModel<Narrow, 3, false>>{});
+    }
+    if (height_known) return f(std::type_identity<PseudorangeModel<Narrow, 2, true>>{});
+    return f(std::type_identity<PseudorangeModel<Narrow, 3, true>>{});
+  }
+  if constexpr (size == KernelSize::Unrolled) {
+    if (!problems.has_scores() && options.jacobian == Jacobian::Exact) {
+      switch (problems.points()) {
+        case 3:
+          return f(std::type_identity<RangeModel<Real, 3>>{});
+        case 4:
+          return f(std::type_identity<RangeModel<Real, 4>>{});
+        case 5:
+          return f(std::type_identity<RangeModel<Real, 5>>{});
+        case 6:
+          return f(std::type_identity<RangeModel<Real, 6>>{});
+        case 7:
+          return f(std::type_identity<RangeModel<Real, 7>>{});
+        case 8:
+          return f(std::type_identity<RangeModel<Real, 8>>{});
+        default:
+          break;
+      }
+    }
+  }
+  f(std::type_identity<RangeModel<std::conditional_t<size == KernelSize::Small, Narrow, Real>>>{});
+}
+
+}  // namespace ridgeloc::solvers

@@ -1,0 +1,122 @@
+#include "studies/detection/detection_trials.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+
+namespace ridgeloc::studies {
+
+namespace {
+
+/// Most objects of a photo that can be told apart here.
+constexpr std::size_t most_slots = 24;
+
+/// Each photo offers as many slots as it can show objects that count; these fill the first of them. A trial draws a
+/// slot of photo after photo until one is filled.
+std::size_t slots_of(const DetectionCell& cell) {
+  const sim::BuildingMap& map = *cell.photo.map;
+  const auto of_class = std::ranges::count_if(map.objects, [&](const sim::MapObject& object) {
+    return cell.class_name == any_class || map.classes[object.object_class].name == cell.class_name;
+  });
+  return std::min(static_cast<std::size_t>(of_class), most_slots);
+}
+
+std::vector<Setting> make_settings() {
+  std::vector<Setting> settings = photo_settings();
+  std::ranges::move(detector_settings(), std::back_inserter(settings));
+  settings.push_back(
+      {"object", "object_class", Kind::Text, std::string(any_class), 0, 0, {}, "1", "class of the objects"});
+  settings.push_back({"object",
+                      "distance",
+                      Kind::Choice,
+                      std::string(distance_names[0]),
+                      0,
+                      0,
+                      {distance_names.begin(), distance_names.end()},
+                      "1",
+                      "near or far objects"});
+  settings.push_back({"object",
+                      "least_detections",
+                      Kind::Integer,
+                      std::int64_t{0},
+                      0,
+                      12,
+                      {},
+                      "1",
+                      "photos with fewer detections do not count"});
+  return settings;
+}
+
+}  // namespace
+
+std::span<const Setting> detection_experiment_settings() {
+  static const std::vector<Setting> settings = make_settings();
+  return settings;
+}
+
+DetectionCell::DetectionCell(const Values& values)
+    : photo(values),
+      class_name(std::get<std::string>(values.find("object_class")->second)),
+      least_detections(static_cast<std::size_t>(std::get<std::int64_t>(values.find("least_detections")->second))) {
+  const auto& name = std::get<std::string>(values.find("distance")->second);
+  distance = static_cast<Distance>(std::ranges::find(distance_names, name) - distance_names.begin());
+}
+
+bool DetectionCell::counts(const sim::View& view) const {
+  const bool near = view.range_m <= photo.detector.near_m;
+  if (distance != Distance::Any && near != (distance == Distance::Near)) return false;
+  const sim::MapObject& object = photo.map->objects[view.object];
+  return class_name == any_class || photo.map->classes[object.object_class].name == class_name;
+}
+
+DetectionTrials::DetectionTrials(std::uint64_t seed, const DetectionCell& cell)
+    : cell_(cell),
+      taker_(*cell.photo.map, cell.photo.options, cell.photo.detector, seed),
+      choice_(seed, "object"),
+      slots_(slots_of(cell)) {}
+
+const sim::View& DetectionTrials::find_object(std::uint64_t trial, sim::Photo& photo) const {
+  for (std::uint64_t attempt = 0; attempt < sim::PhotoTaker::most_attempts; ++attempt) {
+    if (!taker_.take_one(trial, attempt, photo) || photo.detections.size() < cell_.least_detections) continue;
+    if (!taker_.is_narrow(photo)) continue;
+    const double u = core::uniform_pair(choice_.block(trial, attempt))[0];
+    const auto slot = static_cast<std::size_t>(u * static_cast<double>(slots_));
+    const sim::View* chosen = nullptr;
+    std::size_t filled = 0;
+    for (const sim::View& view : photo.views) {
+      if (!cell_.counts(view)) continue;
+      if (filled == slot) chosen = &view;
+      ++filled;
+    }
+    if (filled > slots_) {
+      throw core::InputError(fmt::format(
+          "a photo of the map \"{}\" shows {} objects that count, more than {}; make photo.farthest_m smaller",
+          cell_.photo.map->name, filled, slots_));
+    }
+    if (chosen != nullptr) return *chosen;
+  }
+  throw core::InputError(fmt::format(
+      "among {} photos of the map \"{}\" none shows an object with object.object_class = \"{}\", object.distance = "
+      "\"{}\" and {} detections{}; ask for what the map shows",
+      sim::PhotoTaker::most_attempts, cell_.photo.map->name, cell_.class_name,
+      distance_names[static_cast<std::size_t>(cell_.distance)], cell_.least_detections,
+      cell_.photo.options.widest_spread_deg < 180.0 ? " within photo.widest_spread_deg" : ""));
+}
+
+Sighting DetectionTrials::take(std::uint64_t trial, sim::Photo& photo) const {
+  Sighting sighting{find_object(trial, photo), std::nullopt, std::numeric_limits<double>::quiet_NaN()};
+  const auto found = std::ranges::find(photo.detections, sighting.view.object, &sim::Detection::object);
+  if (found == photo.detections.end()) return sighting;
+  sighting.detection = *found;
+  const sim::MapObject& object = cell_.photo.map->objects[found->object];
+  sighting.pseudorange_m =
+      sim::pseudorange(cell_.photo.options.camera, *found, object).range_m(photo.image_distance_mm);
+  return sighting;
+}
+
+}  // namespace ridgeloc::studies

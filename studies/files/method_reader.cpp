@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "studies/files/sections.hpp"
+#include "studies/files/toml_document.hpp"
+
+namespace ridgeloc::studies {
+
+namespace {
+
+constexpr std::size_t max_label_size = 64;
+
+void check_label(const toml::node& node, const std::string& label, const Study& study) {
+  // Labels become names of groups in result files.
+  const bool plain = std::ranges::none_of(label, [](unsigned char c) { return c == '/' || c < 0x20 || c == 0x7f; });
+  if (label.empty() || label == "." || label.size() > max_label_size || !plain) {
+    fail_at(
+        node,
+        fmt::format(
+            "method name \"{}\" is not allowed: 1 to {} bytes without '/' or control characters, and not a single '.'",
+            label, max_label_size));
+  }
+  const auto reserved = study.experiment->extra_labels();
+  if (std::ranges::find(reserved, label) != reserved.end()) {
+    fail_at(node, fmt::format("method name \"{}\" is taken by the experiment itself; choose another", label));
+  }
+  if (std::ranges::find(study.methods, label, &Method::label) != study.methods.end()) {
+    fail_at(node, fmt::format("two methods are called \"{}\"; tell them apart with name = \"...\"", label));
+  }
+}
+
+void read_method(const toml::table& table, Study& study) {
+  const toml::node* solver = table.get("solver");
+  if (solver == nullptr) {
+    fail_at(table, fmt::format("[[method]] lacks a solver; add solver = \"...\" (allowed: {})",
+                               fmt::join(study.experiment->solvers(), ", ")));
+  }
+  Method method;
+  method.solver = read_text(*solver, "solver", study.experiment->solvers());
+  const auto read = study.experiment->settings_of_solver(method.solver);
+  std::vector<std::string> allowed = {"solver", "name"};
+  allowed.insert(allowed.end(), read.begin(), read.end());
+  check_keys(table, fmt::format("[[method]] with solver \"{}\"", method.solver), allowed);
+
+  const toml::node* name = table.get("name");
+  method.label = name == nullptr ? method.solver : read_text(*name, "name");
+  check_label(name == nullptr ? *solver : *name, method.label, study);
+
+  for (const Setting& setting : study.experiment->settings()) {
+    const toml::node* value = table.get(setting.name);
+    if (value == nullptr) continue;
+    if (!study.fixed.contains(setting.name)) {
+      fail_at(*value, fmt::format("\"{}\" is swept in [sweep] too; give it in one place", setting.name));
+    }
+    if (!is_read(study, setting)) {
+      fail_at(*value, fmt::format("{} changes nothing in this [[method]]: it is read only if {} is {}", setting.name,
+                                  setting.read_if.setting, fmt::join(setting.read_if.choices, " or ")));
+    }
+    method.given[setting.name] = read_setting(*value, setting, setting.name);
+  }
+  study.methods.push_back(std::move(method));
+}
+
+}  // namespace
+
+void read_methods(const toml::table& document, const std::string& origin, Study& study) {
+  const toml::node* node = document.get("method");
+  if (node == nullptr || (node->is_array() && node->as_array()->empty())) {
+    throw core::InputError(fmt::format("{}: no [[method]]; add at least one with solver = \"...\" (allowed: {})",
+                                       origin, fmt::join(study.experiment->solvers(), ", ")));
+  }
+  for (const toml::table* table : read_tables(*node, "method")) read_method(*table, study);
+
+  for (const SweepAxis& axis : study.sweep) {
+    const bool read = std::ranges::any_of(study.methods, [&](const Method& m) {
+      const auto settings = study.experiment->settings_of_solver(m.solver);
+      return std::ranges::find(settings, axis.setting->name) != settings.end();
+    });
+    if (axis.setting->per_method && !read) {
+      fail_at(*document.get("sweep"),
+              fmt::format("sweep.{} changes nothing: no [[method]] reads it", axis.setting->name));
+    }
+  }
+}
+
+}  // namespace ridgeloc::studies

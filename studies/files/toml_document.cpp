@@ -1,0 +1,227 @@
+#include "studies/files/toml_document.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "core/error.hpp"
+
+namespace ridgeloc::studies {
+
+namespace {
+
+constexpr std::string_view override_prefix = "--set ";
+
+toml::table parse(std::string_view text, const std::string& origin) {
+  try {
+    return toml::parse(text, origin);
+  } catch (const toml::parse_error& error) {
+    throw core::InputError(fmt::format("{}:{}: not valid TOML: {}", origin, error.source().begin.line,
+                                       std::string_view(error.description())));
+  }
+}
+
+/// Follows one key of an override's path, making tables that are not there.
+toml::node& descend(toml::node& node, const std::string& key, const std::string& origin) {
+  if (toml::array* array = node.as_array()) {
+    std::size_t index = 0;
+    const auto [end, failure] = std::from_chars(key.data(), key.data() + key.size(), index);
+    if (failure == std::errc{} && end == key.data() + key.size() && index < array->size()) return (*array)[index];
+    throw core::InputError(
+        fmt::format("{}: \"{}\" is not a position in a list of {} (they count from 0)", origin, key, array->size()));
+  }
+  if (toml::table* table = node.as_table()) {
+    if (!table->contains(key))
+      table->insert(key, std::move(*toml::parse("new = {}", origin).get_as<toml::table>("new")));
+    return *table->get(key);
+  }
+  throw core::InputError(fmt::format("{}: \"{}\" lies inside a value that is not a table", origin, key));
+}
+
+void apply_override(toml::table& document, const std::string& text) {
+  const std::string origin = std::string(override_prefix) + text;
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos) {
+    throw core::InputError(fmt::format("{}: expected KEY=VALUE, for example scene.depth_m=[2,15]", origin));
+  }
+  const std::string path = text.substr(0, equals);
+  const std::string value = text.substr(equals + 1);
+
+  toml::table parsed;
+  try {
+    parsed = toml::parse("value = " + value, origin);
+    if (parsed.size() != 1) throw core::InputError(origin + ": expected one KEY=VALUE");
+  } catch (const toml::parse_error&) {
+    // A bare word: shells eat the quotes that TOML wants.
+    parsed = toml::parse(fmt::format("value = {}", to_toml(Value(value))), origin);
+  }
+
+  toml::node* node = &document;
+  std::size_t begin = 0;
+  for (std::size_t dot = path.find('.'); dot != std::string::npos; dot = path.find('.', begin)) {
+    node = &descend(*node, path.substr(begin, dot - begin), origin);
+    begin = dot + 1;
+  }
+  toml::table* parent = node->as_table();
+  if (parent == nullptr) throw core::InputError(fmt::format("{}: \"{}\" is not a table", origin, path));
+  // Moved, not copied: copies of nodes forget where they came from.
+  std::move(*parsed.get("value")).visit([&](auto&& moved) {
+    parent->insert_or_assign(path.substr(begin), std::forward<decltype(moved)>(moved));
+  });
+}
+
+/// A finite number, whole or not.
+std::optional<double> number(const toml::node& node) {
+  if (!node.is_number()) return std::nullopt;
+  const double value = *node.value<double>();
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<Value> read_value(const toml::node& node, const Setting& s) {
+  const auto within = [&s](double v) { return s.low <= v && v <= s.high; };
+  switch (s.kind) {
+    case Kind::Integer: {
+      if (!node.is_integer()) return std::nullopt;
+      const std::int64_t value = *node.value<std::int64_t>();
+      return within(static_cast<double>(value)) ? std::optional<Value>(value) : std::nullopt;
+    }
+    case Kind::Real: {
+      const auto value = number(node);
+      return value && within(*value) ? std::optional<Value>(*value) : std::nullopt;
+    }
+    case Kind::Choice: {
+      // Choices may look like numbers, and be written as such.
+      const auto value = node.is_integer() ? std::to_string(*node.value<std::int64_t>())
+                                           : node.value<std::string>().value_or(std::string());
+      const bool known = std::ranges::find(s.choices, value) != s.choices.end();
+      return known ? std::optional<Value>(value) : std::nullopt;
+    }
+    case Kind::Text:
+      return node.is_string() ? std::optional<Value>(*node.value<std::string>()) : std::nullopt;
+    case Kind::Range: {
+      const toml::array* pair = node.as_array();
+      if (pair == nullptr || pair->size() != 2) return std::nullopt;
+      const auto low = number((*pair)[0]);
+      const auto high = number((*pair)[1]);
+      const bool valid = low && high && within(*low) && within(*high) && *low <= *high;
+      return valid ? std::optional<Value>(Interval{*low, *high}) : std::nullopt;
+    }
+    case Kind::Samples:  // never here: they have messages of their own
+    case Kind::Building:
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+toml::table parse_document(std::string_view text, const std::string& origin, std::span<const std::string> overrides) {
+  toml::table document = parse(text, origin);
+  for (const std::string& item : overrides) apply_override(document, item);
+  return document;
+}
+
+bool is_override(const toml::node& node) {
+  const toml::source_region& source = node.source();
+  return source.path != nullptr && source.path->starts_with(override_prefix);
+}
+
+std::string place_of(const toml::node& node) {
+  const toml::source_region& source = node.source();
+  if (source.path == nullptr) return "study";
+  if (is_override(node)) return *source.path;
+  return fmt::format("{}:{}", *source.path, source.begin.line);
+}
+
+std::string text_of(const toml::node& node) {
+  constexpr std::size_t longest = 60;
+  std::ostringstream out;
+  node.visit([&](const auto& concrete) { out << concrete; });
+  std::istringstream words(out.str());
+  std::string text;
+  for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word;
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
+std::filesystem::path folder_of(const toml::node& node) {
+  const toml::source_region& source = node.source();
+  if (source.path == nullptr || is_override(node)) return {};
+  return std::filesystem::path(*source.path).parent_path();
+}
+
+void fail_at(const toml::node& node, const std::string& message) {
+  throw core::InputError(place_of(node) + ": " + message);
+}
+
+std::string suggestion(std::string_view name, const std::vector<std::string>& candidates) {
+  const std::string nearest = nearest_name(name, candidates);
+  if (!nearest.empty()) return fmt::format(" (did you mean \"{}\"?)", nearest);
+  return candidates.empty() ? "" : fmt::format(" (allowed: {})", fmt::join(candidates, ", "));
+}
+
+void check_keys(const toml::table& table, std::string_view table_name, const std::vector<std::string>& allowed) {
+  for (const auto& [key, node] : table) {
+    if (std::ranges::find(allowed, key.str()) != allowed.end()) continue;
+    fail_at(node, fmt::format("unknown key \"{}\" in {}{}", key.str(), table_name, suggestion(key.str(), allowed)));
+  }
+}
+
+Value read_setting(const toml::node& node, const Setting& setting, const std::string& label) {
+  if (setting.kind == Kind::Samples) return read_samples(node, setting, label);
+  if (setting.kind == Kind::Building) return read_building(node, setting, label);
+  auto value = read_value(node, setting);
+  if (value) return *value;
+  std::string hint;
+  if (setting.kind == Kind::Choice && node.is_string()) {
+    const std::string nearest = nearest_name(*node.value<std::string>(), setting.choices);
+    if (!nearest.empty()) hint = fmt::format(" (did you mean \"{}\"?)", nearest);
+  }
+  fail_at(node,
+          fmt::format("{} = {} is not allowed: {} takes {}{}", label, text_of(node), label, accepted(setting), hint));
+}
+
+std::string read_text(const toml::node& node, const std::string& label, const std::vector<std::string>& choices) {
+  if (!node.is_string())
+    fail_at(node, fmt::format("{} = {} is not allowed: {} takes a text", label, text_of(node), label));
+  auto text = *node.value<std::string>();
+  if (!choices.empty() && std::ranges::find(choices, text) == choices.end()) {
+    fail_at(node, fmt::format("{}: unknown \"{}\"{}", label, text, suggestion(text, choices)));
+  }
+  return text;
+}
+
+std::vector<std::string> read_texts(const toml::node& node, const std::string& label,
+                                    const std::vector<std::string>& choices) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr) return {read_text(node, label, choices)};
+  std::vector<std::string> texts;
+  for (const toml::node& element : *array) texts.push_back(read_text(element, label, choices));
+  if (texts.empty()) fail_at(node, fmt::format("{} is an empty list", label));
+  return texts;
+}
+
+const toml::table& read_table(const toml::node& node, std::string_view label) {
+  const toml::table* table = node.as_table();
+  if (table == nullptr) fail_at(node, fmt::format("{} must be a table", label));
+  return *table;
+}
+
+std::vector<const toml::table*> read_tables(const toml::node& node, std::string_view label) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr) fail_at(node, fmt::format("{0} must be a list of tables: [[{0}]]", label));
+  std::vector<const toml::table*> tables;
+  for (const toml::node& element : *array) tables.push_back(&read_table(element, label));
+  return tables;
+}
+
+bool read_bool(const toml::node& node, std::string_view label) {
+  if (!node.is_boolean()) fail_at(node, fmt::format("{} must be true or false", label));
+  return *node.value<bool>();
+}
+
+}  // namespace ridgeloc::studies

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/store/provenance.hpp"
+#include "studies/plan/assignment.hpp"
+#include "studies/plan/plan.hpp"
+#include "studies/study/study.hpp"
+
+namespace ridgeloc::studies {
+
+/// How far a run is. Written by the workers, read by whoever shows it; atomics alone, no lock.
+struct RunProgress {
+  std::atomic<std::uint64_t> blocks_total{0};  ///< as far as is known: a stop rule decides on the way
+  std::atomic<std::uint64_t> blocks_done{0};   ///< blocks of this run and those found finished
+  std::atomic<std::uint64_t> trials_done{0};   ///< trials of this run
+};
+
+struct RunOutcome {
+  bool sealed = false;             ///< false: stopped before the end, finished blocks kept
+  bool unchanged = false;          ///< the result had everything already
+  std::uint64_t blocks_found = 0;  ///< finished by an earlier run, as far as this one has come
+  std::uint64_t blocks_run = 0;
+  std::uint64_t blocks_kept = 0;  ///< of a stopped run: finished ones of the assignment, by this run or earlier ones
+  std::vector<std::string> warnings;  ///< one line per damaged part that was found and is computed again
+};
+
+/// Computes every block of an assignment that the result does not have yet, for the methods that lack it, on `threads`
+/// threads, and seals the result with all that it has. A stop rule is applied in rounds that depend on finished
+/// blocks alone (`StopRounds`), so that neither threads nor interruptions change where a cell ends.
+///
+/// Blocks are independent tasks; what a block holds does not depend on the number of threads or on the order. When
+/// `stop` becomes true, running blocks end, are kept, and the result stays as it was. `provenance` carries what the
+/// caller knows about the build; the runner adds threads and wall times.
+/// Throws core::InputError if `output` cannot be used, core::IoError if writing fails; finished parts are kept.
+RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment,
+                     const std::filesystem::path& output, int threads, results::Provenance provenance,
+                     RunProgress& progress, const std::atomic<bool>& stop);
+
+}  // namespace ridgeloc::studies

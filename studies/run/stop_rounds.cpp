@@ -1,0 +1,66 @@
+#include "studies/run/stop_rounds.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace ridgeloc::studies {
+
+StopRounds::StopRounds(const Study& study, const Plan& plan, const Assignment& assignment,
+                       const results::ResultWriter& writer)
+    : study_(study),
+      plan_(plan),
+      assignment_(assignment),
+      writer_(writer),
+      looks_(looks(*study.stop, assignment.block_trials)),
+      known_(assignment.cells.size()) {}
+
+const StopRounds::Known& StopRounds::known(std::size_t place, std::uint64_t blocks) {
+  Known& known = known_[place];
+  if (known.blocks == blocks) return known;
+  const std::size_t cell = assignment_.cells[place];
+  std::vector<results::Statistics> statistics;
+  double cost = 0.0;
+  for (std::size_t m = 0; m < plan_.header.methods.size(); ++m) {
+    statistics.push_back(writer_.statistics(cell, m));
+    if (m < study_.methods.size()) cost += study_.experiment->cost(plan_.cells[cell].values, statistics.back());
+  }
+  known = {blocks, cost, precision_of(*study_.stop, plan_.header, statistics)};
+  return known;
+}
+
+std::vector<Stretch> StopRounds::next() {
+  std::vector<Stretch> begun;    // cells between two looks, or before the first
+  std::vector<Stretch> wanting;  // cells at a look that was not the last
+  for (std::size_t place = 0; place < assignment_.cells.size(); ++place) {
+    const auto extent = writer_.extent(assignment_.cells[place], assignment_.methods);
+    const auto next = std::ranges::upper_bound(looks_, extent.unbroken);
+    if (next == looks_.end()) continue;
+    const Stretch stretch{place, extent.unbroken, *next};
+    // Blocks beyond a look say that it was not enough.
+    const bool at_look = next != looks_.begin() && *std::prev(next) == extent.unbroken && extent.end == extent.unbroken;
+    if (!at_look) {
+      begun.push_back(stretch);
+    } else if (!known(place, extent.unbroken).precision.is_enough()) {
+      wanting.push_back(stretch);
+    }
+  }
+  if (study_.stop->max_cost > 0.0) return begun.empty() ? most_worthwhile(wanting) : begun;
+  begun.insert(begun.end(), wanting.begin(), wanting.end());
+  return begun;
+}
+
+std::vector<Stretch> StopRounds::most_worthwhile(const std::vector<Stretch>& wanting) {
+  double spent = 0.0;
+  for (std::size_t place = 0; place < assignment_.cells.size(); ++place) {
+    const std::uint64_t blocks = writer_.extent(assignment_.cells[place], assignment_.methods).unbroken;
+    spent += known(place, blocks).cost;
+  }
+  if (wanting.empty() || spent >= study_.stop->max_cost) return {};
+  const auto priority_of = [&](const Stretch& stretch) {
+    const Known& cell = known(stretch.place, stretch.first);
+    return priority(cell.precision, cell.cost);
+  };
+  return {*std::ranges::max_element(wanting, {}, priority_of)};
+}
+
+}  // namespace ridgeloc::studies

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "results/store/result_writer.hpp"
+#include "studies/plan/assignment.hpp"
+#include "studies/plan/plan.hpp"
+#include "studies/study/study.hpp"
+
+namespace ridgeloc::studies {
+
+/// Blocks first, first + 1, ..., end - 1 of the cell at a place of an assignment.
+struct Stretch {
+  std::size_t place = 0;
+  std::uint64_t first = 0;
+  std::uint64_t end = 0;
+};
+
+/// What a stop rule asks for, round by round. A round depends on the finished blocks alone, never on time or threads,
+/// and not on how they came about: a run that was interrupted goes on as if it had not been.
+///
+/// Without `StopRule::max_cost` all cells that are not known well enough go to their next look, each by its own trials
+/// alone. With it they do so one after the other, first the cell whose priority (see there) is the largest, until the
+/// cost of all that there is reaches the limit; only the first look of every cell is not subject to it.
+class StopRounds {
+ public:
+  /// All of them must outlive this one. Precondition: the study has a stop rule, and the writer keeps totals.
+  StopRounds(const Study& study, const Plan& plan, const Assignment& assignment, const results::ResultWriter& writer);
+
+  /// The next round, after all blocks of the last one have been added; empty when the rule is satisfied.
+  std::vector<Stretch> next();
+
+ private:
+  /// What is known of a cell after some blocks.
+  struct Known {
+    std::uint64_t blocks = 0;
+    double cost = 0.0;
+    Precision precision;
+  };
+  const Known& known(std::size_t place, std::uint64_t blocks);
+  std::vector<Stretch> most_worthwhile(const std::vector<Stretch>& wanting);
+
+  const Study& study_;
+  const Plan& plan_;
+  const Assignment& assignment_;
+  const results::ResultWriter& writer_;
+  std::vector<std::uint64_t> looks_;
+  std::vector<Known> known_;  ///< by place; of the last look that was asked about
+};
+
+}  // namespace ridgeloc::studies

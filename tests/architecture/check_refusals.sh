@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# That check_includes.sh refuses what it is for: plants forbidden includes in a copy of the sources, one at a time.
+# Usage: check_refusals.sh SOURCE_DIR
+set -euo pipefail
+source_dir=$1
+check=$source_dir/tests/architecture/check_includes.sh
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+(cd "$source_dir" && find core sim solvers results studies app bench -name '*.[ch]pp' -o -name '*.cpp.in' |
+  xargs cp --parents --target-directory="$copy")
+failures=0
+
+# refuses FILE INCLUDE MESSAGE: the include, planted at the end of the file, is refused with these words.
+refuses() {
+  cp "$copy/$1" "$copy/original"
+  printf '#include %s\n' "$2" >>"$copy/$1"
+  if said=$("$check" "$copy" 2>&1); then
+    echo "$1 with #include $2 passes" >&2
+    failures=$((failures + 1))
+  elif [[ "$said" != *"$3"* ]]; then
+    echo "$1 with #include $2: \"$3\" is not said but: $said" >&2
+    failures=$((failures + 1))
+  fi
+  mv "$copy/original" "$copy/$1"
+}
+
+"$check" "$copy" >/dev/null
+refuses results/tables/csv.cpp '"solvers/solver.hpp"' 'results may not include solvers'
+refuses results/tables/csv.cpp '"results/report/report.hpp"' 'results/tables may not include results/report'
+refuses studies/study/value.hpp '"studies/run/runner.hpp"' 'studies/study may not include studies/run'
+refuses solvers/models/models.hpp '"solvers/methods/ols.hpp"' 'solvers/models may not include solvers/methods'
+refuses solvers/reference/reference_loss.hpp '"solvers/models/weight.hpp"' 'solvers/reference may not include solvers/models'
+refuses results/tables/csv.hpp '<fmt/format.h>' 'in a public header'
+refuses results/tables/csv.cpp '<tbb/parallel_for.h>' 'results may not use tbb'
+refuses app/run.cpp '"results/hdf5/hdf5_handle.hpp"' 'which is internal'
+mkdir "$copy/results/attic"
+cp "$copy/results/util/json.hpp" "$copy/results/attic/json.hpp"
+refuses results/util/json.hpp '<string>' 'results/attic: a room that the order of rooms does not name'
+
+((failures == 0)) || exit 1
+echo "what is forbidden is refused"

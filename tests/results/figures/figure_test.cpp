@@ -1,0 +1,206 @@
+#include "results/figures/figure.hpp"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "results/figures/figure_data.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/synthetic_summary.hpp"
+
+namespace {
+
+using namespace ridgeloc;
+using namespace ridgeloc::results;
+namespace fs = std::filesystem;
+
+FigureSpec synthetic_spec() {
+  FigureSpec spec;
+  spec.name = "errors";
+  spec.title = "Errors";
+  spec.x = "points";
+  spec.y = {"error_m"};
+  spec.group = {"range_sigma_m"};
+  spec.facet = "method";
+  return spec;
+}
+
+std::string message_of(const FigureSpec& spec) {
+  try {
+    figure_data(synthetic_summary(), spec);
+  } catch (const core::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// A folder that goes with the test.
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("ridgeloc_figure_test_" + std::to_string(getpid()));
+  Folder() { fs::create_directories(path); }
+  ~Folder() { fs::remove_all(path); }
+};
+
+std::string content(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST_CASE("a figure resolves into panels, groups and points with their intervals") {
+  const Summary summary = synthetic_summary();
+  const FigureData data = figure_data(summary, synthetic_spec());
+  CHECK(data.x_label == "number of points");
+  CHECK(data.y_label == "position error, mean [m]");
+  CHECK(data.group_title == "range noise [m]");
+  CHECK(data.groups == std::vector<std::string>{"0.1", "0.5"});
+  REQUIRE(data.panels.size() == 2);
+  CHECK(data.panels[0].label == "rr");
+  CHECK(data.panels[1].label == "rrr");
+  REQUIRE(data.panels[1].lines.size() == 2);
+  const FigureLine& line = data.panels[1].lines[0];
+  REQUIRE(line.points.size() == 2);
+  const SummaryRow row = summary_rows(summary)[5];
+  CHECK(line.points[0].x == 3.0);
+  CHECK(line.points[0].y == row.mean);
+  CHECK(line.points[0].lo == row.lo);
+  CHECK(line.points[0].hi == row.hi);
+  CHECK_FALSE(line.points[0].trusted);
+  CHECK(data.footnote ==
+        "4 trials per point; bars: 95 % intervals; points share trials and are not independent; dotted bars: "
+        "the interval "
+        "itself is uncertain");
+}
+
+TEST_CASE("a heavy-tailed metric leads with its median; the statistic can be chosen") {
+  FigureSpec spec = synthetic_spec();
+  spec.y = {"error_all_m"};
+  const FigureData data = figure_data(synthetic_summary(), spec);
+  const SummaryRow row = summary_rows(synthetic_summary())[1];
+  CHECK(data.y_label == "position error, all trials, median [m]");
+  CHECK(data.panels[0].lines[0].points[0].y == row.p50);
+  CHECK(data.panels[0].lines[0].points[0].hi == row.p50_hi);
+  spec.statistic = "mean";
+  CHECK(figure_data(synthetic_summary(), spec).panels[0].lines[0].points[0].y == row.mean);
+}
+
+TEST_CASE("methods become groups where nothing else tells them apart") {
+  FigureSpec spec = synthetic_spec();
+  spec.facet = "";
+  CHECK(figure_data(synthetic_summary(), spec).groups ==
+        std::vector<std::string>{"range_sigma_m = 0.1, rr", "range_sigma_m = 0.1, rrr", "range_sigma_m = 0.5, rr",
+                                 "range_sigma_m = 0.5, rrr"});
+  spec.methods = {"rrr"};
+  CHECK(figure_data(synthetic_summary(), spec).groups == std::vector<std::string>{"0.1", "0.5"});
+}
+
+TEST_CASE("several metrics share a label and get legend texts") {
+  FigureSpec spec = synthetic_spec();
+  spec.y = {"error_m", "error_all_m"};
+  spec.statistic = "median";
+  const FigureData data = figure_data(synthetic_summary(), spec);
+  CHECK(data.y_label == "median [m]");
+  CHECK(data.metrics == std::vector<std::string>{"position error", "position error, all trials"});
+  CHECK(data.panels[0].lines.size() == 4);
+  spec.y = {"error_m", "converged"};
+  CHECK(figure_data(synthetic_summary(), spec).metrics ==
+        std::vector<std::string>{"position error, median [m]", "converged, rate"});
+}
+
+TEST_CASE("an axis of texts is drawn as categories, one that spans decades logarithmically") {
+  Summary summary = synthetic_summary();
+  summary.header.axes[0].values = {std::string("street"), std::string("hall")};
+  const FigureData categories = figure_data(summary, synthetic_spec());
+  REQUIRE(categories.x_ticks.size() == 2);
+  CHECK(categories.x_ticks[1].position == 1.0);
+  CHECK(categories.x_ticks[1].label == "hall");
+  CHECK_FALSE(categories.log_x);
+  summary.header.axes[0].values = {0.01, 0.1, 1.0};
+  CHECK(figure_data(summary, synthetic_spec()).log_x);
+}
+
+TEST_CASE("unknown names are refused with the nearest valid ones") {
+  const auto with = [](auto change) {
+    FigureSpec spec = synthetic_spec();
+    change(spec);
+    return message_of(spec);
+  };
+  CHECK(with([](FigureSpec& s) { s.x = "point"; }) ==
+        "figure 'errors': x = \"point\" is unknown; valid names: points, range_sigma_m");
+  CHECK(with([](FigureSpec& s) { s.y = {"error"}; }).find("y = \"error\" is unknown; valid names: error_m, ") !=
+        std::string::npos);
+  CHECK(with([](FigureSpec& s) { s.group = {"methods"}; }).find("valid names: method, ") != std::string::npos);
+  CHECK(with([](FigureSpec& s) { s.facet = "range_sigma"; }).find("valid names: range_sigma_m, ") != std::string::npos);
+  CHECK(with([](FigureSpec& s) { s.methods = {"rrrr"}; }).find("valid names: rrr, rr") != std::string::npos);
+  CHECK(with([](FigureSpec& s) { s.statistic = "meen"; }).find("valid names: mean, median, rms") != std::string::npos);
+  CHECK(with([](FigureSpec& s) { s.y.clear(); }) == "figure 'errors': y names no metric");
+}
+
+TEST_CASE("cells that would fall on one point are refused with the axis to add") {
+  FigureSpec spec = synthetic_spec();
+  spec.group.clear();
+  CHECK(message_of(spec) ==
+        "figure 'errors': several cells fall on one point, among them points = 3, range_sigma_m = 0.5; add "
+        "to group or "
+        "facet: range_sigma_m");
+}
+
+TEST_CASE("a metric that no method reports cannot be drawn") {
+  Summary summary = synthetic_summary();
+  for (Statistics& statistics : summary.statistics) statistics.metrics[0] = MetricStatistics{};
+  CHECK_THROWS_AS(figure_data(summary, synthetic_spec()), core::InputError);
+}
+
+TEST_CASE("figures are drawn in all three formats and leave nothing else behind") {
+  const Folder folder;
+  FigureSpec spec = synthetic_spec();
+  spec.title = "it's 100% \"odd\": `touch x` $(y) \\n {a}_b^c @d # e";
+  spec.log_y = GENERATE(false, true);
+  const struct {
+    const char* extension;
+    const char* magic;
+  } formats[] = {{".svg", "<?xml"}, {".pdf", "%PDF"}, {".png", "\x89PNG"}};
+  for (const auto& format : formats) {
+    draw_figure(synthetic_summary(), spec, folder.path / (std::string("figure") + format.extension));
+    CHECK(content(folder.path / (std::string("figure") + format.extension)).find(format.magic) == 0);
+  }
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 3);
+  const std::string svg = content(folder.path / "figure.svg");
+  CHECK(svg.find("`touch x` $(y) \\n {a}_b^c @d # e") != std::string::npos);
+  CHECK(svg.find("range noise [m]") != std::string::npos);
+}
+
+TEST_CASE("distributions are drawn, with logarithmic shares too") {
+  const Folder folder;
+  FigureSpec spec = synthetic_spec();
+  spec.x.clear();
+  spec.group = {"points", "range_sigma_m"};
+  spec.kind = GENERATE("ecdf", "histogram");
+  spec.methods = {"rr"};
+  spec.log_y = GENERATE(false, true);
+  draw_figure(synthetic_summary(), spec, folder.path / "figure.svg");
+  CHECK(content(folder.path / "figure.svg").find("share of the values") != std::string::npos);
+}
+
+TEST_CASE("a figure whose points are all infinite still shows its axes") {
+  const Folder folder;
+  Summary summary = synthetic_summary();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (Statistics& statistics : summary.statistics)
+    statistics.metrics[1] = statistics_of(std::vector{infinity, infinity});
+  FigureSpec spec = synthetic_spec();
+  spec.y = {"error_all_m"};
+  draw_figure(summary, spec, folder.path / "axes.svg");
+  CHECK(content(folder.path / "axes.svg").find("infinite") != std::string::npos);
+}
+
+TEST_CASE("an unknown file extension is refused") {
+  CHECK_THROWS_AS(draw_figure(synthetic_summary(), synthetic_spec(), "figure.jpg"), core::InputError);
+}
+
+}  // namespace

@@ -1,0 +1,79 @@
+#include "results/util/file_system.hpp"
+
+#include <fstream>
+
+#include "core/error.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/sample_study.hpp"
+
+using namespace ridgeloc;
+using namespace ridgeloc::results;
+namespace fs = std::filesystem;
+
+namespace {
+
+void write_text(const fs::path& path, const std::string& text) {
+  std::ofstream(path) << text;
+}
+
+std::string read_text(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+TEST_CASE("an output path is checked without leaving anything behind") {
+  const test::ScratchFolder folder;
+  CHECK_NOTHROW(require_writable(folder / "new.h5"));
+  CHECK(fs::is_empty(folder.path()));
+
+  write_text(folder / "old.h5", "old");
+  CHECK_NOTHROW(require_writable(folder / "old.h5"));
+  CHECK(read_text(folder / "old.h5") == "old");
+}
+
+TEST_CASE("an impossible output path is refused with a line that says what to do") {
+  const test::ScratchFolder folder;
+  const fs::path missing = folder / "no/such.h5";
+  const auto message = [](const fs::path& path) { return test::message_of([&] { require_writable(path); }); };
+  CHECK(test::lacking(message(missing), {"cannot write " + missing.string(), "does not exist; create it"}) == "");
+  CHECK_THROWS_AS(require_writable(missing), core::InputError);
+  CHECK(test::lacking(message(folder.path()), {"it is a folder"}) == "");
+  write_text(folder / "file", "");
+  CHECK(test::lacking(message(folder / "file/x.h5"), {"is not a folder"}) == "");
+}
+
+TEST_CASE("a temporary file takes its name when published and vanishes otherwise") {
+  const test::ScratchFolder folder;
+  const fs::path file = folder / "result.h5";
+  {
+    const TemporaryFile abandoned(file);
+    write_text(abandoned.path(), "half");
+    CHECK(TemporaryFile::is_temporary(abandoned.path()));
+  }
+  CHECK(fs::is_empty(folder.path()));
+
+  write_text(file, "old");
+  TemporaryFile complete(file);
+  write_text(complete.path(), "new");
+  CHECK(read_text(file) == "old");
+  complete.publish();
+  CHECK(read_text(file) == "new");
+  CHECK_FALSE(fs::exists(complete.path()));
+}
+
+TEST_CASE("publishing what is not there is an error") {
+  const test::ScratchFolder folder;
+  TemporaryFile nothing(folder / "result.h5");
+  CHECK_THROWS_AS(nothing.publish(), core::IoError);
+}
+
+TEST_CASE("a folder is locked by one holder at a time") {
+  const test::ScratchFolder folder;
+  {
+    const FolderLock lock(folder.path());
+    CHECK_THROWS_AS(FolderLock(folder.path()), core::InputError);
+  }
+  CHECK_NOTHROW(FolderLock(folder.path()));
+}

@@ -1,0 +1,83 @@
+#include "studies/files/csv_column.hpp"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/error.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace ridgeloc;
+
+namespace {
+
+/// A file of its own, removed at the end.
+class File {
+ public:
+  explicit File(const std::string& text)
+      : path_(std::filesystem::temp_directory_path() / ("ridgeloc_csv_" + std::to_string(getpid()) + ".csv")) {
+    std::ofstream(path_, std::ios::binary) << text;
+  }
+  ~File() { std::filesystem::remove(path_); }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::vector<double> column(const std::string& text, const std::string& name, std::size_t most = 100) {
+  const File file(text);
+  return studies::read_csv_column(file.path(), name, most);
+}
+
+/// The message without the path in front.
+std::string error_of(const std::string& text, const std::string& name) {
+  const File file(text);
+  try {
+    studies::read_csv_column(file.path(), name, 100);
+  } catch (const core::InputError& error) {
+    const std::string message = error.what();
+    REQUIRE(message.starts_with(file.path().string()));
+    return message.substr(file.path().string().size());
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a column of a CSV file is read by its name") {
+  const std::vector<double> expected = {1.5, -2.0, 3e-2};
+  CHECK(column("id,e_m\n1,1.5\n2,-2\n3,3e-2\n", "e_m") == expected);
+  CHECK(column("id,e_m\r\n1,1.5\r\n\r\n2,-2\r\n3,+0.03", "e_m") == expected);
+  CHECK(column("\xef\xbb\xbf"
+               "e_m , id\n 1.5 ,1\n-2,2\n3e-2\t,3\n\n",
+               "e_m") == expected);
+  CHECK(column("\"a, \"\"b\"\"\",e_m\n\"x\ny\",\"1.5\"\n,-2\n\"\",3e-2\n", "e_m") == expected);
+  CHECK(column("\"a, \"\"b\"\"\",e_m\n1.5,x\n", "a, \"b\"") == std::vector<double>{1.5});
+  CHECK(column("e_m\n1\n2\n3\n", "e_m", 2) == std::vector<double>{1.0, 2.0});
+  CHECK(column("e_m\n", "e_m").empty());
+}
+
+TEST_CASE("what is wrong in a CSV file is named with its line") {
+  CHECK(error_of("id,e_m\n1,2\n", "em") == ":1: no column \"em\" (did you mean \"e_m\"?)");
+  CHECK(error_of("id,e_m\n1,2\n", "residual") == ":1: no column \"residual\" (there are: id, e_m)");
+  CHECK(error_of("", "e_m").starts_with(":1: no column \"e_m\""));
+  CHECK(error_of("id,e_m\n1,2\n\n2,3 m\n", "e_m") == ":4: \"3 m\" in column \"e_m\" is not a number");
+  CHECK(error_of("id,e_m\n\"a\nb\",2\n2,\n", "e_m") == ":4: \"\" in column \"e_m\" is not a number");
+  CHECK(error_of("id,e_m\n1\n", "e_m") == ":2: \"\" in column \"e_m\" is not a number");
+  CHECK(error_of("e_m\nnan\n", "e_m") == ":2: \"nan\" in column \"e_m\" is not a number");
+  CHECK(error_of("e_m\n1e999\n", "e_m") == ":2: \"1e999\" in column \"e_m\" is not a number");
+}
+
+TEST_CASE("a row with more cells than the first line is an error: decimal commas") {
+  CHECK(error_of("e\n1,5\n2,5\n", "e") == ":2: 2 cells where the first line names 1; is a comma the decimal point?");
+}
+
+TEST_CASE("a file that is not there is an error") {
+  CHECK_THROWS_AS(studies::read_csv_column("/nowhere/residuals.csv", "e_m", 9), core::InputError);
+}

@@ -1,0 +1,100 @@
+#include "studies/plan/plan.hpp"
+
+#include <set>
+
+#include "studies/files/study_reader.hpp"
+#include "studies/plan/assignment.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace ridgeloc;
+using namespace ridgeloc::studies;
+
+namespace {
+
+Plan plan(const std::string& sweep, const std::vector<std::string>& overrides = {}) {
+  return make_plan(read_study({"demo", "demo.toml",
+                               "experiment = \"ranging\"\ntrials = 10000\n[sweep]\n" + sweep +
+                                   "\n[[method]]\nsolver = \"rrr\"\n[[method]]\nsolver = \"ols\"\n"},
+                              overrides));
+}
+
+}  // namespace
+
+TEST_CASE("axes are crossed, the last one fastest") {
+  const Plan p = plan("points = [3, 5]\nrange_sigma_m = { from = 0.1, to = 0.3, step = 0.1 }");
+  REQUIRE(p.cells.size() == 6);
+  CHECK(p.cells[1].indices == std::vector<std::size_t>{0, 1});
+  CHECK(std::get<std::int64_t>(p.cells[3].values.at("points")) == 5);
+  CHECK(std::get<double>(p.cells[2].values.at("range_sigma_m")) == 0.3);
+  std::set<std::string> hashes;
+  for (const Cell& cell : p.cells) hashes.insert(cell.hash);
+  CHECK(hashes.size() == 6);
+}
+
+TEST_CASE("zipped axes move together and excluded cells are left out") {
+  const Plan p = plan(
+      "points = [3, 5, 7]\nrange_sigma_m = [0.1, 0.2, 0.3]\nstart_offset_m = [1, 5]\n"
+      "zip = [[\"points\", \"range_sigma_m\"]]\nexclude = [{ points = 5, start_offset_m = 1.0 }]");
+  REQUIRE(p.cells.size() == 5);
+  for (const Cell& cell : p.cells) CHECK(cell.indices[0] == cell.indices[2]);
+  CHECK(p.cells[4].index == 4);
+}
+
+TEST_CASE("blocks cover the trials of a cell, the last one in part") {
+  const Assignment all = everything(plan("points = [3]"));
+  CHECK(all.blocks_per_cell() == 3);
+  CHECK(all.range(0).count == 4096);
+  CHECK(all.range(2).first == 8192);
+  CHECK(all.range(2).count == 10000 - 8192);
+}
+
+TEST_CASE("the study hash changes with what changes every number, and with nothing else") {
+  const std::string sweep = "points = [3, 5]";
+  const auto hash = [&](const std::vector<std::string>& overrides) { return plan(sweep, overrides).header.study_hash; };
+  const std::string before = hash({});
+  for (const char* same : {"trials=99", "title=x", "sweep.points=[7]", "store.trial_columns_mib=1",
+                           "method.0.theta_m=1", "solver.max_iterations=50", "method.1.name=other"}) {
+    INFO(same);
+    CHECK(hash({same}) == before);
+  }
+  for (const char* different : {"seed=1", "scene.depth_m=[1,9]", "noise.range_sigma_m=0.2", "scene.start_offset_m=4"}) {
+    INFO(different);
+    CHECK(hash({different}) != before);
+  }
+}
+
+TEST_CASE("cells know what their bounds are good for") {
+  const auto kinds = [](const std::string& sweep, const std::vector<std::string>& overrides = {}) {
+    std::string text;
+    for (const results::CellInfo& cell : plan(sweep, overrides).header.cells)
+      text += std::to_string(static_cast<int>(cell.bound));
+    return text;
+  };
+  static_assert(static_cast<int>(results::BoundKind::RootMeanSquare) == 2);
+  CHECK(kinds("points = [3, 4, 5, 6]") == "1122");
+  CHECK(kinds("points = [3, 4, 5, 6]", {"scene.model=pseudorange"}) == "1112");
+  CHECK(kinds("points = [3, 4, 5, 6]", {"scene.model=pseudorange", "scene.z_mode=fixed"}) == "1122");
+  CHECK(kinds("points = [3, 4, 5]\nv_mode = [\"fixed\", \"prior\"]", {"scene.model=pseudorange"}) == "111122");
+  CHECK(kinds("points = [3, 6]", {"scene.z_mode=fixed"}) == "12");
+  CHECK(kinds("noise_model = [\"normal\", \"student_t\"]") == "20");
+  CHECK(kinds("scores = [\"none\", \"random\"]") == "20");
+}
+
+TEST_CASE("a cell's hash is that of its values, wherever it stands in the grid") {
+  const Plan narrow = plan("points = [5]\nrange_sigma_m = [0.3]");
+  const Plan wide = plan("points = [3, 5]\nrange_sigma_m = [0.1, 0.3, 0.5]");
+  CHECK(narrow.cells[0].hash == wide.cells[4].hash);
+}
+
+TEST_CASE("a method's hash is that of the settings its solver reads") {
+  const std::string sweep = "points = [3]";
+  const auto hashes = [&](const std::vector<std::string>& overrides) {
+    const Plan p = plan(sweep, overrides);
+    return std::vector<std::string>{p.header.methods[0].hash, p.header.methods[1].hash};
+  };
+  const auto before = hashes({});
+  CHECK(hashes({"method.0.theta_m=1"})[0] != before[0]);
+  CHECK(hashes({"solver.theta_m=1"})[0] == hashes({"method.0.theta_m=1"})[0]);
+  CHECK(hashes({"solver.theta_m=1"})[1] == before[1]);
+  CHECK(hashes({"method.0.name=x"}) == before);
+}
