@@ -18,7 +18,10 @@ int audit(const AuditOptions& options) {
   const auto [header, study, plan] = recomputation_of(options.result);
   const auto ledger = read_probed(options.result, [&] { return results::read_result_ledger(options.result); });
   const std::uint64_t trials = options.trials.value_or(std::numeric_limits<std::uint64_t>::max());
-  const auto counts = studies::audit_failures(study, plan, ledger, trials, options.threads);
+  const studies::Experiment& experiment = *study.experiment;
+  const auto first = experiment.prepare({study.seed, study.audit}, plan.cells.front(), study.methods);
+  static_cast<void>(studies::required<studies::FailureRecount>(experiment, *first));
+  const auto counts = studies::audit_failures(study, plan, ledger, trials, *studies::thread_queue(options.threads));
 
   std::size_t width = 6;
   for (const studies::Method& method : study.methods) width = std::max(width, method.label.size());

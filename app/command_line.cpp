@@ -21,6 +21,7 @@
 #include "app/verbs.hpp"
 #include "core/error.hpp"
 #include "studies/listing.hpp"
+#include "studies/registry.hpp"
 #include "studies/study/experiment.hpp"
 #include "studies/study/study.hpp"
 #include "studies/study/value.hpp"

@@ -15,6 +15,7 @@
 #include "results/store/result_file.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/plan/union.hpp"
+#include "studies/registry.hpp"
 
 namespace ridgeloc::app {
 

@@ -7,6 +7,7 @@
 #include "app/verbs.hpp"
 #include "core/error.hpp"
 #include "studies/files/study_writer.hpp"
+#include "studies/registry.hpp"
 
 namespace ridgeloc::app {
 

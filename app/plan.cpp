@@ -17,6 +17,7 @@
 #include "core/units.hpp"
 #include "results/util/shell.hpp"
 #include "studies/files/study_reader.hpp"
+#include "studies/registry.hpp"
 #include "studies/run/pilot.hpp"
 #include "studies/study/audit_sample.hpp"
 
@@ -28,6 +29,12 @@ constexpr double pilot_budget_s = 2.0;
 
 constexpr double share_s = 3600.0;
 constexpr double most_shares = 1000.0;  // Slurm's arrays end there unless its configuration says otherwise
+
+/// "0.71 us", "15 ms", "2 s".
+std::string trial_time_text(double seconds) {
+  if (seconds < 1e-3) return fmt::format("{:.3g} us", seconds * 1e6);
+  return seconds < 1.0 ? fmt::format("{:.3g} ms", seconds * 1e3) : fmt::format("{:.3g} s", seconds);
+}
 
 /// Prints it and returns the seconds that the study is expected to take.
 double print_plan(const studies::Study& study, core::Isa isa, int threads) {
@@ -62,10 +69,13 @@ double print_plan(const studies::Study& study, core::Isa isa, int threads) {
     if (rule.max_cost > 0.0) fmt::print("           or at a cost of {:g} of all cells together\n", rule.max_cost);
   }
   fmt::print("  blocks   {} of {} trials\n", blocks, block);
-  fmt::print("  pilot    {:.3g} us per trial and thread, all methods, with {} ({} trials)\n",
-             pilot.seconds_per_trial * 1e6, plan.header.isa, pilot.trials);
-  const double seconds = (pilot.seconds_per_trial * trials + pilot.seconds_per_cell * cells) / threads;
-  fmt::print("  time     about {} on {} thread{}\n", duration_text(seconds), threads, threads == 1 ? "" : "s");
+  fmt::print("  pilot    {} per trial and thread, all methods, with {} ({} trials)\n",
+             trial_time_text(pilot.seconds_per_trial), plan.header.isa, pilot.trials);
+  // A block is the work of one thread.
+  const auto busy = static_cast<int>(std::min(static_cast<std::uint64_t>(threads), blocks));
+  const double seconds = (pilot.seconds_per_trial * trials + pilot.seconds_per_cell * cells) / busy;
+  fmt::print("  time     about {} on {} thread{}{}\n", duration_text(seconds), threads, threads == 1 ? "" : "s",
+             busy < threads ? fmt::format(", {} of them at work: there are no more blocks", busy) : "");
   if (study.audit > 0.0) {
     fmt::print("  audit    by Ceres: the first {} trials of each cell and {:g} of the others\n",
                studies::always_audited, study.audit);

@@ -36,7 +36,7 @@ std::size_t terminal_columns() {
 std::string rate_text(double trials_per_second) {
   if (trials_per_second >= 1e6) return fmt::format("{:.2f} M trials/s", trials_per_second / 1e6);
   if (trials_per_second >= 1e3) return fmt::format("{:.1f} k trials/s", trials_per_second / 1e3);
-  return fmt::format("{:.0f} trials/s", trials_per_second);
+  return fmt::format("{:.3g} trials/s", trials_per_second);
 }
 
 }  // namespace
@@ -51,16 +51,16 @@ void ProgressDisplay::show(const std::stop_token& stop, const std::string& name,
   std::condition_variable_any wake;
   std::unique_lock lock(mutex);
   const Clock::time_point begin = Clock::now();
-  const std::uint64_t blocks_before = progress.blocks_done.load();
   while (!wake.wait_for(lock, stop, terminal_ ? Clock::duration(terminal_interval) : Clock::duration(log_interval),
                         [&] { return stop.stop_requested(); })) {
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    const auto done = static_cast<double>(progress.blocks_done.load());
-    const auto total = static_cast<double>(std::max<std::uint64_t>(progress.blocks_total.load(), 1));
-    const double share = done / total;
-    const double speed = (done - static_cast<double>(blocks_before)) / seconds;
-    const std::string left = speed > 0.0 ? duration_text((total - done) / speed) : std::string("?");
-    const std::string rate = rate_text(static_cast<double>(progress.trials_done.load()) / seconds);
+    const auto run = static_cast<double>(progress.trials_done.load());
+    const double done = run + static_cast<double>(progress.trials_found.load());
+    const auto total = static_cast<double>(std::max<std::uint64_t>(progress.trials_total.load(), 1));
+    const double share = std::min(done / total, 1.0);
+    const double speed = run / seconds;
+    const std::string left = speed > 0.0 ? duration_text(std::max(total - done, 0.0) / speed) : std::string("?");
+    const std::string rate = rate_text(speed);
     if (terminal_) {
       const auto filled = static_cast<std::size_t>(share * bar_width);
       std::string line = fmt::format("{} {:3.0f}% [{}{}] {}, {} left", name, share * 100.0, std::string(filled, '#'),

@@ -9,6 +9,7 @@
 #include "core/isa.hpp"
 #include "results/store/result_file.hpp"
 #include "studies/files/study_reader.hpp"
+#include "studies/registry.hpp"
 
 namespace ridgeloc::app {
 

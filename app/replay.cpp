@@ -17,6 +17,8 @@
 #include "results/util/json.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/plan/cell_choice.hpp"
+#include "studies/registry.hpp"
+#include "studies/study/capabilities.hpp"
 
 namespace ridgeloc::app {
 
@@ -56,7 +58,7 @@ std::vector<studies::Method> chosen_methods(const studies::Study& study, const R
     }
     chosen.push_back(*found);
   }
-  const std::vector<std::string> solvers = study.experiment->solvers();
+  const std::vector<std::string> solvers = studies::solvers_of(*study.experiment);
   for (const std::string& solver : options.solvers) {
     if (std::ranges::find(solvers, solver) == solvers.end()) refuse("--solver", solver, solvers);
     const bool taken = std::ranges::find(chosen, solver, &studies::Method::label) != chosen.end();
@@ -118,8 +120,10 @@ int replay(const ReplayOptions& options) {
   const studies::Experiment& experiment = *source.study.experiment;
   const studies::Cell& cell = studies::choose_cell(source.study, source.plan, options.cell);
   const auto methods = chosen_methods(source.study, options);
+  const auto simulation = experiment.prepare(source.study.seed, cell, methods);
   const auto workspace = experiment.make_workspace(source.plan.isa);
-  studies::Replay replay = experiment.replay(source.study.seed, cell, methods, options.trial, *workspace);
+  studies::Replay replay =
+      studies::required<studies::TrialReplay>(experiment, *simulation).replay(options.trial, *workspace);
 
   const std::string factors = results::cell_text(source.plan.header, cell.index);
   const std::string title =

@@ -21,6 +21,7 @@
 #include "results/store/parts_folder.hpp"
 #include "results/util/file_system.hpp"
 #include "studies/files/study_reader.hpp"
+#include "studies/registry.hpp"
 #include "studies/run/runner.hpp"
 
 namespace ridgeloc::app {
@@ -100,8 +101,8 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
   studies::RunOutcome outcome;
   try {
     const ProgressDisplay display(job.study.name, progress);
-    outcome = studies::run_study(job.study, job.plan, job.assignment, job.output, threads, build_provenance(), progress,
-                                 stop);
+    outcome = studies::run_study(job.study, job.plan, job.assignment, job.output, *studies::thread_queue(threads),
+                                 build_provenance(), progress, stop);
   } catch (const core::IoError& error) {
     const fs::path parts = results::parts_folder(job.output);
     const std::string kept = path_exists(parts) ? fmt::format("finished parts are kept in {}; ", parts.string()) : "";

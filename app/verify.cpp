@@ -22,7 +22,8 @@ bool recompute(const VerifyOptions& options, const results::Ledger& ledger) {
   const std::uint64_t seed = options.seed.value_or(std::random_device()());
   const auto all = studies::all_blocks(ledger);
   const auto blocks = studies::random_choice(all, options.blocks, seed);
-  const auto differences = studies::differing_blocks(result.study, result.plan, ledger, blocks, options.threads);
+  const auto differences =
+      studies::differing_blocks(result.study, result.plan, ledger, blocks, *studies::thread_queue(options.threads));
   for (const studies::BlockDifference& difference : differences) {
     fmt::print("different: block {} of cell {} ({}), method {}\n", difference.where.block, difference.where.cell,
                results::cell_text(result.header, difference.where.cell),

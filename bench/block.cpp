@@ -5,6 +5,8 @@
 
 #include "results/blocks/block.hpp"
 #include "studies/files/study_reader.hpp"
+#include "studies/plan/assignment.hpp"
+#include "studies/registry.hpp"
 
 namespace ridgeloc::bench {
 
@@ -21,12 +23,14 @@ studies::Study sweep_study() {
 BlockRun::BlockRun(core::Isa isa)
     : study_(sweep_study()),
       plan_(studies::make_plan(study_, isa)),
+      simulation_(study_.experiment->prepare(study_.seed, plan_.cells[0], study_.methods)),
       workspace_(study_.experiment->make_workspace(isa)) {}
 
 void BlockRun::run(std::uint64_t block) {
   const studies::TrialRange range = studies::everything(plan_).range(block);
   results::BlockSink sink(plan_.header, 0, block, range.count);
-  study_.experiment->run_block(study_.seed, plan_.cells[0], study_.methods, range, *workspace_, sink);
+  studies::NoMonitor monitor;
+  static_cast<void>(simulation_->run_block(range, *workspace_, monitor, sink));
 }
 
 }  // namespace ridgeloc::bench

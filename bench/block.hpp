@@ -22,6 +22,7 @@ class BlockRun {
  private:
   studies::Study study_;
   studies::Plan plan_;
+  std::unique_ptr<const studies::Simulation> simulation_;
   std::unique_ptr<studies::Workspace> workspace_;
 };
 

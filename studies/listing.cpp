@@ -6,6 +6,7 @@
 #include "studies/catalog/catalog.hpp"
 #include "studies/files/map_reader.hpp"
 #include "studies/files/study_reader.hpp"
+#include "studies/registry.hpp"
 #include "studies/study/experiment.hpp"
 
 namespace ridgeloc::studies {

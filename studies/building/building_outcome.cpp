@@ -25,6 +25,7 @@ void add(double x_m, double y_m, double iterations, PhotoOutcome& outcome) {
 }
 
 void finish(const PhotoRecord& photo, PhotoOutcome& outcome) {
+  if (!photo.is_taken) outcome.status = PhotoStatus::NoPhoto;
   if (outcome.starts == 0) return;
   outcome.status = outcome.converged == 0 ? PhotoStatus::Diverged : PhotoStatus::OutsideMap;
   if (outcome.inside == 0) return;
@@ -38,14 +39,15 @@ void finish(const PhotoRecord& photo, PhotoOutcome& outcome) {
 
 }  // namespace
 
-void locate(const sim::BuildingMap& map, const Method& method, const solvers::SolverOptions& options,
-            BuildingScratch& scratch) {
+bool locate(const sim::BuildingMap& map, const Method& method, const solvers::SolverOptions& options,
+            const Monitor& monitor, BuildingScratch& scratch) {
   const solvers::Solver solve = solvers::find_solver(method.solver)->kernel(scratch.isa);
   scratch.ends.assign(scratch.starts.size(), {});
   for (const StartGroup& group : scratch.groups) {
     if (group.starts.empty()) continue;
     const core::Oracle oracle = oracle_of(group, options);
-    solve(group.problems, options, &oracle, scratch.solutions);
+    if (!solve_in_pieces(solve, group.problems, options, oracle, scratch.solutions, scratch.piece, monitor))
+      return false;
     const core::SolutionBatch& s = scratch.solutions;
     for (std::size_t t = 0; t < group.starts.size(); ++t) {
       StartEnd& end = scratch.ends[group.starts[t]];
@@ -63,6 +65,7 @@ void locate(const sim::BuildingMap& map, const Method& method, const solvers::So
     if (map.is_inside(end.place_m)) add(end.place_m[0], end.place_m[1], end.iterations, outcome);
   }
   for (std::size_t p = 0; p < scratch.photos.size(); ++p) finish(scratch.photos[p], scratch.outcomes[p]);
+  return true;
 }
 
 }  // namespace ridgeloc::studies

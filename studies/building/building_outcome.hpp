@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "sim/building_map.hpp"
 #include "solvers/options.hpp"
@@ -11,8 +13,10 @@ namespace ridgeloc::studies {
 
 struct BuildingScratch;
 
-/// How a method ended on a photo, in the order of the schema's statuses.
-enum class PhotoStatus : std::uint8_t { Success, OutsideMap, Diverged, NoStart };
+/// How a method ended on a photo, in the order of the schema's statuses, and their names.
+enum class PhotoStatus : std::uint8_t { Success, OutsideMap, Diverged, NoStart, NoPhoto };
+inline constexpr std::array<std::string_view, 5> photo_status_names = {"success", "outside_map", "diverged", "no_start",
+                                                                       "no_photo"};
 
 /// What a method makes of one photo. Its position is the mean over the starts that converge inside the map.
 struct PhotoOutcome {
@@ -27,8 +31,8 @@ struct PhotoOutcome {
 };
 
 /// Solves the problems in the scratch memory from every start and writes the outcomes of the photos. Oracles of K take
-/// options.sigma_prior_m for the error of a range.
-void locate(const sim::BuildingMap& map, const Method& method, const solvers::SolverOptions& options,
-            BuildingScratch& scratch);
+/// options.sigma_prior_m for the error of a range. Returns false if the monitor asked to stop.
+[[nodiscard]] bool locate(const sim::BuildingMap& map, const Method& method, const solvers::SolverOptions& options,
+                          const Monitor& monitor, BuildingScratch& scratch);
 
 }  // namespace ridgeloc::studies

@@ -1,13 +1,15 @@
 #include "studies/building/building_replay.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numbers>
 #include <string>
 
+#include "core/error.hpp"
 #include "core/status.hpp"
 #include "studies/building/building_drawing.hpp"
 #include "studies/photos/photo_tables.hpp"
-#include "studies/solving/solver_settings.hpp"
 
 namespace ridgeloc::studies {
 
@@ -37,28 +39,26 @@ DataTable detections(const BuildingCell& settings, const sim::Photo& photo) {
   return table;
 }
 
-DataTable map_table(const BuildingCell& settings, const BuildingScratch& scratch) {
-  const sim::BuildingMap& map = *settings.photo.map;
-  const bool coarse = settings.starts == StartPlaces::Coarse;
+DataTable map_table(const BuildingScene& scene) {
+  const sim::BuildingMap& map = *scene.settings.photo.map;
   DataTable table{"map", {"map", "areas", "objects", "map_graphs"}, {}};
   table.add_row(map.name, number(map.areas.size()), number(map.objects.size()),
-                coarse ? Field(number(scratch.graphs->graphs().size())) : Field());
+                scene.graphs ? Field(number(scene.graphs->graphs().size())) : Field());
   return table;
 }
 
 /// Coarse positions of the only photo are its starts, in the same order.
-DataTable starts(const BuildingCell& settings, const BuildingScratch& scratch) {
-  const sim::BuildingMap& map = *settings.photo.map;
-  const bool coarse = settings.starts == StartPlaces::Coarse;
+DataTable starts(const BuildingScene& scene, const BuildingScratch& scratch) {
+  const sim::BuildingMap& map = *scene.settings.photo.map;
   constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
   DataTable table{"starts", {"start", "x_m", "y_m", "distance_m", "heading_deg", "score", "objects"}, {}};
   for (std::size_t i = 0; i < scratch.starts.size(); ++i) {
     const StartRecord& start = scratch.starts[i];
     Field heading;
     Field score;
-    if (coarse) {
+    if (scene.graphs) {
       const solvers::CoarsePose& pose = scratch.poses[i];
-      heading = degrees_per_radian * scratch.graphs->graphs()[pose.graph].heading_rad;
+      heading = degrees_per_radian * scene.graphs->graphs()[pose.graph].heading_rad;
       score = pose.score;
     }
     std::string objects;
@@ -84,30 +84,35 @@ DataTable ends(const sim::BuildingMap& map, const BuildingScratch& scratch) {
 }
 
 DataTable outcome(const PhotoOutcome& o) {
-  static constexpr std::array<const char*, 4> names = {"success", "outside_map", "diverged", "no_start"};
   const bool located = o.status == PhotoStatus::Success;
   DataTable table{"outcome", {"status", "starts", "converged", "inside", "x_m", "y_m", "error_m", "iterations"}, {}};
-  table.add_row(std::string(names[static_cast<std::size_t>(o.status)]), number(o.starts), number(o.converged),
-                number(o.inside), located ? Field(o.x_m) : Field(), located ? Field(o.y_m) : Field(),
-                located ? Field(o.error_m) : Field(), located ? Field(o.iterations) : Field());
+  table.add_row(std::string(photo_status_names[static_cast<std::size_t>(o.status)]), number(o.starts),
+                number(o.converged), number(o.inside), located ? Field(o.x_m) : Field(),
+                located ? Field(o.y_m) : Field(), located ? Field(o.error_m) : Field(),
+                located ? Field(o.iterations) : Field());
   return table;
 }
 
 }  // namespace
 
-Replay replay_building(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, std::uint64_t trial,
-                       BuildingScratch& scratch) {
-  const BuildingCell settings(cell.values);
+Replay replay_building(const BuildingScene& scene, std::span<const Method> methods,
+                       std::span<const solvers::SolverOptions> options, std::uint64_t trial, BuildingScratch& scratch) {
+  const BuildingCell& settings = scene.settings;
   const sim::BuildingMap& map = *settings.photo.map;
-  simulate_building(seed, cell, settings, {trial, 1}, scratch);
+  const NoMonitor monitor;
+  static_cast<void>(simulate_building(scene, {trial, 1}, monitor, scratch));
+  if (!scratch.photos[0].is_taken) {
+    throw core::InputError(fmt::format("trial {} ended as {}: there is nothing to show; take another", trial,
+                                       photo_status_names[static_cast<std::size_t>(PhotoStatus::NoPhoto)]));
+  }
   Replay replay;
-  replay.scene = {map_table(settings, scratch), camera_table(scratch.photo), detections(settings, scratch.photo),
-                  starts(settings, scratch)};
+  replay.scene = {map_table(scene), camera_table(scratch.photo), detections(settings, scratch.photo),
+                  starts(scene, scratch)};
   std::vector<BuildingPanel> panels;
-  for (const Method& method : methods) {
-    locate(map, method, solver_options(cell.values, method.given), scratch);
-    panels.push_back({method.label, scratch.ends, scratch.outcomes[0]});
-    replay.methods.push_back({method.label, method.solver, {ends(map, scratch), outcome(scratch.outcomes[0])}});
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    static_cast<void>(locate(map, methods[m], options[m], monitor, scratch));
+    panels.push_back({methods[m].label, scratch.ends, scratch.outcomes[0]});
+    replay.methods.push_back({methods[m].label, methods[m].solver, {ends(map, scratch), outcome(scratch.outcomes[0])}});
   }
   replay.drawing = building_drawing(settings, scratch, panels);
   return replay;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
@@ -16,29 +17,43 @@ namespace {
 /// Fewer points than this do not make a position and an image distance.
 constexpr std::size_t fewest_points = 3;
 
+constexpr std::string_view numbers_purpose = "detections";
+
+std::size_t wanted_detections(const BuildingCell& settings, const core::Stream& numbers, std::uint64_t trial) {
+  if (settings.detections != 0) return settings.detections;
+  return sim::table1_detections(core::uniform_pair(numbers.block(trial, 0))[0]);
+}
+
+void require_photos(std::uint64_t seed, const BuildingCell& settings) {
+  const sim::BuildingMap& map = *settings.photo.map;
+  const std::size_t wanted = wanted_detections(settings, core::Stream(seed, numbers_purpose), 0);
+  sim::Photo photo;
+  if (sim::PhotoTaker(map, settings.photo.options, settings.photo.detector, seed).take(0, wanted, photo)) return;
+  throw core::InputError(
+      fmt::format("photo.detections = {}: among {} photos of the map \"{}\" none has so many detections{}; ask for "
+                  "fewer, or give the map more objects",
+                  wanted, sim::PhotoTaker::most_attempts, map.name,
+                  settings.photo.options.widest_spread_deg < 180.0 ? " within photo.widest_spread_deg" : ""));
+}
+
 /// Takes the photos of a block and collects their starts.
 class Block {
  public:
-  Block(std::uint64_t seed, const BuildingCell& settings, BuildingScratch& scratch)
-      : settings_(settings),
-        map_(*settings.photo.map),
+  Block(const BuildingScene& scene, BuildingScratch& scratch)
+      : settings_(scene.settings),
+        map_(*settings_.photo.map),
+        graphs_(scene.graphs.get()),
         scratch_(scratch),
-        taker_(map_, settings.photo.options, settings.photo.detector, seed),
-        numbers_(seed, "detections") {
-    if (settings.starts == StartPlaces::Grid) places_ = grid_places(map_, settings.start_spacing_m);
+        taker_(map_, settings_.photo.options, settings_.photo.detector, scene.seed),
+        numbers_(scene.seed, numbers_purpose) {
+    if (settings_.starts == StartPlaces::Grid) places_ = grid_places(map_, settings_.start_spacing_m);
   }
 
   void add(std::uint64_t trial) {
-    const std::size_t wanted = settings_.detections != 0
-                                   ? settings_.detections
-                                   : sim::table1_detections(core::uniform_pair(numbers_.block(trial, 0))[0]);
     sim::Photo& photo = scratch_.photo;
-    if (!taker_.take(trial, wanted, photo)) {
-      throw core::InputError(
-          fmt::format("photo.detections = {}: among {} photos of the map \"{}\" none has so many detections{}; ask for "
-                      "fewer, or give the map more objects",
-                      wanted, sim::PhotoTaker::most_attempts, map_.name,
-                      settings_.photo.options.widest_spread_deg < 180.0 ? " within photo.widest_spread_deg" : ""));
+    if (!taker_.take(trial, wanted_detections(settings_, numbers_, trial), photo)) {
+      scratch_.photos.emplace_back().is_taken = false;
+      return;
     }
     record(photo);
     if (settings_.starts == StartPlaces::Grid) {
@@ -94,7 +109,7 @@ class Block {
   void add_coarse(const sim::Photo& photo) {
     scratch_.image.clear();
     for (const sim::Detection& d : photo.detections) scratch_.image.push_back(node_of(d.object_class, d.box));
-    scratch_.graphs->match(scratch_.image, settings_.coarse, scratch_.coarse, scratch_.poses);
+    graphs_->match(scratch_.image, settings_.coarse, scratch_.coarse, scratch_.poses);
     if (scratch_.poses.empty()) return;
     PhotoRecord& record = scratch_.photos.back();
     record.coarse_error_m = std::numeric_limits<double>::infinity();
@@ -102,7 +117,7 @@ class Block {
     record.coarse_right = 0.0;
     const double share = 1.0 / static_cast<double>(scratch_.poses.size());
     for (const solvers::CoarsePose& pose : scratch_.poses) {
-      const solvers::MapGraph& graph = scratch_.graphs->graphs()[pose.graph];
+      const solvers::MapGraph& graph = graphs_->graphs()[pose.graph];
       begin_start({graph.x_m, graph.y_m});
       bool right = true;
       for (std::size_t i = 0; i < photo.detections.size(); ++i) {
@@ -120,6 +135,7 @@ class Block {
 
   const BuildingCell& settings_;
   const sim::BuildingMap& map_;
+  const solvers::MapGraphDatabase* graphs_;
   BuildingScratch& scratch_;
   sim::PhotoTaker taker_;
   core::Stream numbers_;
@@ -182,25 +198,26 @@ std::size_t photos_at_once(const BuildingCell& settings) {
   return std::max<std::size_t>(starts / grid_size(*settings.photo.map, settings.start_spacing_m), 1);
 }
 
-void simulate_building(std::uint64_t seed, const Cell& cell, const BuildingCell& settings, TrialRange range,
-                       BuildingScratch& scratch) {
+BuildingScene::BuildingScene(std::uint64_t study_seed, const Cell& cell) : seed(study_seed), settings(cell.values) {
+  require_photos(seed, settings);
+  if (settings.starts != StartPlaces::Coarse) return;
   const sim::PhotoOptions& options = settings.photo.options;
-  if (settings.starts == StartPlaces::Coarse) {
-    const MapGraphKey key{std::get<Building>(cell.values.find("map")->second), options.camera, options.height_m,
-                          settings.grid_spacing_m, settings.grid_headings};
-    if (scratch.key != key) {
-      scratch.graphs = std::make_unique<solvers::MapGraphDatabase>(
-          map_graphs(key.building.map(), key.camera, key.height_m, key.spacing_m, key.headings));
-      scratch.key = key;
-    }
-  }
+  graphs = shared_map_graphs({std::get<Building>(cell.values.find("map")->second), options.camera, options.height_m,
+                              settings.grid_spacing_m, settings.grid_headings});
+}
+
+bool simulate_building(const BuildingScene& scene, TrialRange range, const Monitor& monitor, BuildingScratch& scratch) {
   scratch.photos.clear();
   scratch.starts.clear();
   scratch.observed.clear();
-  Block block(seed, settings, scratch);
-  for (std::size_t t = 0; t < range.count; ++t) block.add(range.first + t);
+  Block block(scene, scratch);
+  for (std::size_t t = 0; t < range.count; ++t) {
+    if (monitor.stop_requested()) return false;
+    block.add(range.first + t);
+  }
   make_groups(scratch);
-  for (StartGroup& group : scratch.groups) write_problems(settings, scratch, group);
+  for (StartGroup& group : scratch.groups) write_problems(scene.settings, scratch, group);
+  return true;
 }
 
 }  // namespace ridgeloc::studies

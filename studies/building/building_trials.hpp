@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,12 +15,14 @@
 #include "studies/building/building_outcome.hpp"
 #include "studies/building/map_graphs.hpp"
 #include "studies/photos/building_settings.hpp"
+#include "studies/solving/pieces.hpp"
 #include "studies/study/experiment.hpp"
 
 namespace ridgeloc::studies {
 
 /// What is known of one photo.
 struct PhotoRecord {
+  bool is_taken = true;  ///< false: among very many photos none showed what was asked for, and the rest says nothing
   std::array<double, 2> truth_m{};
   double image_distance_mm = 0.0;
   std::size_t visible = 0;
@@ -77,11 +78,10 @@ struct BuildingScratch : Workspace {
   std::vector<Observed> observed;
   std::vector<StartGroup> groups;
   core::SolutionBatch solutions;
+  PieceMemory piece;
   std::vector<StartEnd> ends;          ///< by start, of the method last solved with
   std::vector<PhotoOutcome> outcomes;  ///< by photo, likewise
 
-  std::optional<MapGraphKey> key;
-  std::unique_ptr<solvers::MapGraphDatabase> graphs;
   solvers::CoarseScratch coarse;
   std::vector<solvers::GraphNode> image;
   std::vector<solvers::CoarsePose> poses;
@@ -93,9 +93,20 @@ struct BuildingScratch : Workspace {
   std::vector<std::uint8_t> codes;
 };
 
-/// Takes the photos of a range of trials, finds their starts and writes the problems. Throws core::InputError if the
-/// map never shows what the settings ask of a photo.
-void simulate_building(std::uint64_t seed, const Cell& cell, const BuildingCell& settings, TrialRange range,
-                       BuildingScratch& scratch);
+/// What all photos of a cell share. Valid as long as the cell.
+struct BuildingScene {
+  /// Throws core::InputError where a view shows more objects than a map graph takes, and where the first trial finds no
+  /// photo, since others then find none as good as never.
+  BuildingScene(std::uint64_t study_seed, const Cell& cell);
+
+  std::uint64_t seed;
+  BuildingCell settings;
+  std::shared_ptr<const solvers::MapGraphDatabase> graphs;  ///< null without coarse starts
+};
+
+/// Takes the photos of a range of trials, finds their starts and writes the problems. Returns false, and then the
+/// scratch memory is of no use, if the monitor asked to stop.
+[[nodiscard]] bool simulate_building(const BuildingScene& scene, TrialRange range, const Monitor& monitor,
+                                     BuildingScratch& scratch);
 
 }  // namespace ridgeloc::studies

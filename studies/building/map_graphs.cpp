@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <mutex>
 #include <numbers>
 
 #include "core/error.hpp"
@@ -106,6 +107,25 @@ std::vector<solvers::MapGraph> map_graphs(const sim::BuildingMap& map, const sim
     }
   }
   return graphs;
+}
+
+std::shared_ptr<const solvers::MapGraphDatabase> shared_map_graphs(const MapGraphKey& key) {
+  struct Known {
+    MapGraphKey key;
+    std::weak_ptr<const solvers::MapGraphDatabase> graphs;
+  };
+  static std::mutex mutex;
+  static std::vector<Known> all;
+  const std::scoped_lock lock(mutex);
+  std::erase_if(all, [](const Known& known) { return known.graphs.expired(); });
+  for (const Known& known : all) {
+    if (known.key != key) continue;
+    if (auto graphs = known.graphs.lock()) return graphs;
+  }
+  auto made = std::make_shared<const solvers::MapGraphDatabase>(
+      map_graphs(key.building.map(), key.camera, key.height_m, key.spacing_m, key.headings));
+  all.push_back({key, made});
+  return made;
 }
 
 }  // namespace ridgeloc::studies

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "sim/building_map.hpp"
 #include "sim/camera.hpp"
 #include "solvers/coarse/coarse_graph.hpp"
+#include "solvers/coarse/coarse_matching.hpp"
 #include "studies/study/value.hpp"
 
 namespace ridgeloc::studies {
@@ -26,6 +28,9 @@ struct MapGraphKey {
 /// a map graph takes.
 std::vector<solvers::MapGraph> map_graphs(const sim::BuildingMap& map, const sim::Camera& camera, double height_m,
                                           double spacing_m, std::size_t headings);
+
+/// A database of them, made once: all who ask for the same one while somebody has it share it. Thread safe.
+std::shared_ptr<const solvers::MapGraphDatabase> shared_map_graphs(const MapGraphKey& key);
 
 /// Places of a grid over the areas of a map, likewise, and how many there are.
 std::vector<sim::PlanPoint> grid_places(const sim::BuildingMap& map, double spacing_m);

@@ -5,19 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 #include "studies/detection/detection_replay.hpp"
 #include "studies/detection/detection_trials.hpp"
+#include "studies/study/capabilities.hpp"
 
 namespace ridgeloc::studies {
 
 namespace {
 
-constexpr std::string_view detector_name = "detector";
-
 enum Metric : std::size_t { PseudorangeErrorM, RangeM };
-enum Status : std::uint8_t { Detected, Missed };
+enum Status : std::uint8_t { Detected, Missed, NoPhoto };
 
 struct DetectionScratch : Workspace {
   using Workspace::Workspace;
@@ -28,11 +28,54 @@ struct DetectionScratch : Workspace {
   std::vector<double> ranges;
 };
 
+class DetectionSimulation : public Simulation, public TrialReplay {
+ public:
+  /// Throws core::InputError where the first trial finds no photo, since others then find none as good as never.
+  DetectionSimulation(const StudyKey& key, const Cell& cell) : settings_(cell.values), trials_(key.seed, settings_) {
+    sim::Photo photo;
+    if (trials_.take(0, photo)) return;
+    throw core::InputError(fmt::format(
+        "among {} photos of the map \"{}\" none shows an object with object.object_class = \"{}\", object.distance = "
+        "\"{}\" and {} detections{}; ask for what the map shows",
+        sim::PhotoTaker::most_attempts, settings_.photo.map->name, settings_.class_name,
+        distance_names[static_cast<std::size_t>(settings_.distance)], settings_.least_detections,
+        settings_.photo.options.widest_spread_deg < 180.0 ? " within photo.widest_spread_deg" : ""));
+  }
+
+  bool run_block(TrialRange range, Workspace& workspace, Monitor& monitor, results::BlockSink& sink) const override {
+    constexpr double not_in_population = std::numeric_limits<double>::quiet_NaN();
+    auto& scratch = own<DetectionScratch>(workspace);
+    scratch.codes.assign(range.count, NoPhoto);
+    scratch.errors.assign(range.count, not_in_population);
+    scratch.ranges.assign(range.count, not_in_population);
+    for (std::size_t t = 0; t < range.count; ++t) {
+      if (monitor.stop_requested()) return false;
+      const auto sighting = trials_.take(range.first + t, scratch.photo);
+      if (!sighting) continue;
+      scratch.ranges[t] = sighting->view.range_m;
+      scratch.codes[t] = sighting->detection ? Detected : Missed;
+      scratch.errors[t] = std::fabs(sighting->pseudorange_m - sighting->view.range_m);
+    }
+    sink.status(0, scratch.codes);
+    sink.metric(0, PseudorangeErrorM, scratch.errors);
+    sink.metric(0, RangeM, scratch.ranges);
+    return true;
+  }
+
+  Replay replay(std::uint64_t trial, Workspace& workspace) const override {
+    return replay_detection(settings_, trials_, trial, own<DetectionScratch>(workspace).photo);
+  }
+
+ private:
+  DetectionCell settings_;
+  DetectionTrials trials_;
+};
+
 class DetectionExperiment : public Experiment {
  public:
   std::string_view name() const override { return "detection"; }
   std::string_view summary() const override { return "objects in photos of a building: found or missed (Fig. 5)"; }
-  int version() const override { return 1; }
+  int version() const override { return 2; }
   std::uint64_t block_trials() const override { return 1024; }
   std::span<const Setting> settings() const override { return detection_experiment_settings(); }
 
@@ -41,7 +84,11 @@ class DetectionExperiment : public Experiment {
       results::Schema s;
       s.metrics = {{"pseudorange_error_m", "m", "error of the pseudoranges of detected objects", false},
                    {"range_m", "m", "distance of the objects", false}};
-      s.events = {{"detected", "objects detected", false}, {"missed", "objects not detected", true}};
+      s.events = {
+          {"detected", "objects detected", false},
+          {"missed", "objects not detected", true},
+          {"no_photo", "photos that could not be taken: among very many none showed what was asked for", true},
+      };
       s.statuses = s.events.size();
       return s;
     }();
@@ -64,9 +111,6 @@ class DetectionExperiment : public Experiment {
 object_class = ["any", "door", "window"]
 distance = ["near", "far"]
 
-[[method]]
-solver = "detector"
-
 [[figure]]
 x = "object_class"
 y = "detected"
@@ -74,51 +118,15 @@ group = "distance"
 )";
   }
 
-  std::vector<std::string> solvers() const override { return {std::string(detector_name)}; }
-  std::vector<std::string> settings_of_solver(std::string_view) const override { return {}; }
-  std::vector<std::string> extra_labels() const override { return {}; }
+  std::vector<Label> labels() const override { return {{"detector", {}}}; }
+
   std::unique_ptr<Workspace> make_workspace(core::Isa isa) const override {
     return std::make_unique<DetectionScratch>(isa);
   }
 
-  void run_block(const StudyKey& key, const Cell& cell, std::span<const Method> methods, TrialRange range,
-                 Workspace& workspace, results::BlockSink& sink) const override {
-    auto& scratch = static_cast<DetectionScratch&>(workspace);
-    const DetectionCell settings(cell.values);
-    const DetectionTrials trials(key.seed, settings);
-    scratch.codes.resize(range.count);
-    scratch.errors.resize(range.count);
-    scratch.ranges.resize(range.count);
-    for (std::size_t t = 0; t < range.count; ++t) {
-      const Sighting sighting = trials.take(range.first + t, scratch.photo);
-      scratch.ranges[t] = sighting.view.range_m;
-      scratch.codes[t] = sighting.detection ? Detected : Missed;
-      scratch.errors[t] = std::fabs(sighting.pseudorange_m - sighting.view.range_m);
-    }
-    for (std::size_t m = 0; m < methods.size(); ++m) {
-      sink.status(m, scratch.codes);
-      sink.metric(m, PseudorangeErrorM, scratch.errors);
-      sink.metric(m, RangeM, scratch.ranges);
-    }
-  }
-
-  std::vector<FailureCounts> count_failures(std::uint64_t seed, const Cell& cell, std::span<const Method> methods,
-                                            TrialRange range, Workspace& workspace) const override {
-    auto& scratch = static_cast<DetectionScratch&>(workspace);
-    const DetectionCell settings(cell.values);
-    const DetectionTrials trials(seed, settings);
-    FailureCounts count;
-    count.trials = range.count;
-    for (std::size_t t = 0; t < range.count; ++t) {
-      count.failed += trials.take(range.first + t, scratch.photo).detection ? 0 : 1;
-    }
-    return std::vector<FailureCounts>(methods.size(), count);
-  }
-
-  Replay replay(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, std::uint64_t trial,
-                Workspace& workspace) const override {
-    return replay_detection(seed, DetectionCell(cell.values), methods, trial,
-                            static_cast<DetectionScratch&>(workspace).photo);
+  std::unique_ptr<const Simulation> prepare(const StudyKey& key, const Cell& cell,
+                                            std::span<const Method>) const override {
+    return std::make_unique<DetectionSimulation>(key, cell);
   }
 };
 

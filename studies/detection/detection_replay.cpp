@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/error.hpp"
 #include "studies/photos/floor_drawing.hpp"
 #include "studies/photos/photo_tables.hpp"
 
@@ -74,16 +75,16 @@ results::FloorPlan drawing(const sim::BuildingMap& map, const sim::Photo& photo,
 
 }  // namespace
 
-Replay replay_detection(std::uint64_t seed, const DetectionCell& cell, std::span<const Method> methods,
-                        std::uint64_t trial, sim::Photo& photo) {
+Replay replay_detection(const DetectionCell& cell, const DetectionTrials& trials, std::uint64_t trial,
+                        sim::Photo& photo) {
   const sim::BuildingMap& map = *cell.photo.map;
-  const Sighting sighting = DetectionTrials(seed, cell).take(trial, photo);
-  Replay replay;
-  replay.scene = {camera_table(photo), object_table(map, sighting.view)};
-  for (const Method& method : methods) {
-    replay.methods.push_back({method.label, method.solver, {outcome(sighting)}});
+  const auto sighting = trials.take(trial, photo);
+  if (!sighting) {
+    throw core::InputError(fmt::format("trial {} ended as no_photo: there is nothing to show; take another", trial));
   }
-  replay.drawing = drawing(map, photo, sighting);
+  Replay replay;
+  replay.scene = {camera_table(photo), object_table(map, sighting->view), outcome(*sighting)};
+  replay.drawing = drawing(map, photo, *sighting);
   return replay;
 }
 

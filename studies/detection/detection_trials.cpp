@@ -1,12 +1,9 @@
 #include "studies/detection/detection_trials.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 #include <limits>
 
-#include "core/error.hpp"
 #include "core/random.hpp"
 
 namespace ridgeloc::studies {
@@ -80,7 +77,7 @@ DetectionTrials::DetectionTrials(std::uint64_t seed, const DetectionCell& cell)
       choice_(seed, "object"),
       slots_(slots_of(cell)) {}
 
-const sim::View& DetectionTrials::find_object(std::uint64_t trial, sim::Photo& photo) const {
+const sim::View* DetectionTrials::find_object(std::uint64_t trial, sim::Photo& photo) const {
   for (std::uint64_t attempt = 0; attempt < sim::PhotoTaker::most_attempts; ++attempt) {
     if (!taker_.take_one(trial, attempt, photo) || photo.detections.size() < cell_.least_detections) continue;
     if (!taker_.is_narrow(photo)) continue;
@@ -93,23 +90,16 @@ const sim::View& DetectionTrials::find_object(std::uint64_t trial, sim::Photo& p
       if (filled == slot) chosen = &view;
       ++filled;
     }
-    if (filled > slots_) {
-      throw core::InputError(fmt::format(
-          "a photo of the map \"{}\" shows {} objects that count, more than {}; make photo.farthest_m smaller",
-          cell_.photo.map->name, filled, slots_));
-    }
-    if (chosen != nullptr) return *chosen;
+    if (filled > slots_) return nullptr;
+    if (chosen != nullptr) return chosen;
   }
-  throw core::InputError(fmt::format(
-      "among {} photos of the map \"{}\" none shows an object with object.object_class = \"{}\", object.distance = "
-      "\"{}\" and {} detections{}; ask for what the map shows",
-      sim::PhotoTaker::most_attempts, cell_.photo.map->name, cell_.class_name,
-      distance_names[static_cast<std::size_t>(cell_.distance)], cell_.least_detections,
-      cell_.photo.options.widest_spread_deg < 180.0 ? " within photo.widest_spread_deg" : ""));
+  return nullptr;
 }
 
-Sighting DetectionTrials::take(std::uint64_t trial, sim::Photo& photo) const {
-  Sighting sighting{find_object(trial, photo), std::nullopt, std::numeric_limits<double>::quiet_NaN()};
+std::optional<Sighting> DetectionTrials::take(std::uint64_t trial, sim::Photo& photo) const {
+  const sim::View* view = find_object(trial, photo);
+  if (view == nullptr) return std::nullopt;
+  Sighting sighting{*view, std::nullopt, std::numeric_limits<double>::quiet_NaN()};
   const auto found = std::ranges::find(photo.detections, sighting.view.object, &sim::Detection::object);
   if (found == photo.detections.end()) return sighting;
   sighting.detection = *found;

@@ -48,11 +48,12 @@ class DetectionTrials {
  public:
   DetectionTrials(std::uint64_t seed, const DetectionCell& cell);
 
-  /// Also writes the photo. Throws core::InputError if the map never shows what the cell asks for.
-  Sighting take(std::uint64_t trial, sim::Photo& photo) const;
+  /// Also writes the photo. Nothing where among very many photos none shows what the cell asks for, or one shows more
+  /// objects that count than can be told apart.
+  std::optional<Sighting> take(std::uint64_t trial, sim::Photo& photo) const;
 
  private:
-  const sim::View& find_object(std::uint64_t trial, sim::Photo& photo) const;
+  const sim::View* find_object(std::uint64_t trial, sim::Photo& photo) const;
 
   const DetectionCell& cell_;
   sim::PhotoTaker taker_;

@@ -5,6 +5,7 @@
 #include "results/schema/text.hpp"
 #include "studies/files/sections.hpp"
 #include "studies/files/toml_document.hpp"
+#include "studies/study/capabilities.hpp"
 #include "studies/study/comparison.hpp"
 
 namespace ridgeloc::studies {
@@ -64,7 +65,7 @@ results::FigureSpec read_figure(const toml::table& table, const Study& study, st
   std::vector<std::string> quantities;
   for (const auto& metric : study.experiment->schema().metrics) quantities.push_back(metric.name);
   for (const auto& event : study.experiment->schema().events) quantities.push_back(event.name);
-  std::vector<std::string> labels = study.experiment->extra_labels();
+  std::vector<std::string> labels = label_names(*study.experiment);
   for (const Method& method : study.methods) labels.push_back(method.label);
   for (const Comparison& comparison : study.comparisons) {
     labels.push_back(label_of(comparison));

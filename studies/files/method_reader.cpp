@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "studies/files/sections.hpp"
 #include "studies/files/toml_document.hpp"
+#include "studies/study/capabilities.hpp"
 
 namespace ridgeloc::studies {
 
@@ -23,7 +24,7 @@ void check_label(const toml::node& node, const std::string& label, const Study& 
             "method name \"{}\" is not allowed: 1 to {} bytes without '/' or control characters, and not a single '.'",
             label, max_label_size));
   }
-  const auto reserved = study.experiment->extra_labels();
+  const auto reserved = label_names(*study.experiment);
   if (std::ranges::find(reserved, label) != reserved.end()) {
     fail_at(node, fmt::format("method name \"{}\" is taken by the experiment itself; choose another", label));
   }
@@ -36,11 +37,11 @@ void read_method(const toml::table& table, Study& study) {
   const toml::node* solver = table.get("solver");
   if (solver == nullptr) {
     fail_at(table, fmt::format("[[method]] lacks a solver; add solver = \"...\" (allowed: {})",
-                               fmt::join(study.experiment->solvers(), ", ")));
+                               fmt::join(solvers_of(*study.experiment), ", ")));
   }
   Method method;
-  method.solver = read_text(*solver, "solver", study.experiment->solvers());
-  const auto read = study.experiment->settings_of_solver(method.solver);
+  method.solver = read_text(*solver, "solver", solvers_of(*study.experiment));
+  const auto read = settings_read_for(*study.experiment, method.solver);
   std::vector<std::string> allowed = {"solver", "name"};
   allowed.insert(allowed.end(), read.begin(), read.end());
   check_keys(table, fmt::format("[[method]] with solver \"{}\"", method.solver), allowed);
@@ -68,15 +69,20 @@ void read_method(const toml::table& table, Study& study) {
 
 void read_methods(const toml::table& document, const std::string& origin, Study& study) {
   const toml::node* node = document.get("method");
+  if (offered<SolverChoice>(*study.experiment) == nullptr) {
+    if (node == nullptr) return;
+    fail_at(*node, fmt::format("the experiment \"{}\" has no methods to choose; leave [[method]] out",
+                               study.experiment->name()));
+  }
   if (node == nullptr || (node->is_array() && node->as_array()->empty())) {
     throw core::InputError(fmt::format("{}: no [[method]]; add at least one with solver = \"...\" (allowed: {})",
-                                       origin, fmt::join(study.experiment->solvers(), ", ")));
+                                       origin, fmt::join(solvers_of(*study.experiment), ", ")));
   }
   for (const toml::table* table : read_tables(*node, "method")) read_method(*table, study);
 
   for (const SweepAxis& axis : study.sweep) {
     const bool read = std::ranges::any_of(study.methods, [&](const Method& m) {
-      const auto settings = study.experiment->settings_of_solver(m.solver);
+      const auto settings = settings_read_for(*study.experiment, m.solver);
       return std::ranges::find(settings, axis.setting->name) != settings.end();
     });
     if (axis.setting->per_method && !read) {

@@ -4,6 +4,7 @@
 
 #include "studies/files/sections.hpp"
 #include "studies/files/toml_document.hpp"
+#include "studies/study/capabilities.hpp"
 #include "studies/study/comparison.hpp"
 
 namespace ridgeloc::studies {
@@ -38,7 +39,7 @@ void read_stop(const toml::table& document, Study& study) {
   std::vector<std::string> quantities;
   for (const auto& metric : study.experiment->schema().metrics) quantities.push_back(metric.name);
   for (const auto& event : study.experiment->schema().events) quantities.push_back(event.name);
-  std::vector<std::string> labels = study.experiment->extra_labels();
+  std::vector<std::string> labels = label_names(*study.experiment);
   for (const Method& method : study.methods) labels.push_back(method.label);
   for (const Comparison& comparison : study.comparisons) labels.push_back(label_of(comparison));
 

@@ -13,6 +13,7 @@
 #include "studies/catalog/catalog.hpp"
 #include "studies/files/sections.hpp"
 #include "studies/files/toml_document.hpp"
+#include "studies/study/capabilities.hpp"
 
 namespace ridgeloc::studies {
 
@@ -38,15 +39,17 @@ const Setting& study_setting(std::string_view name) {
   return *std::ranges::find(settings, name, &Setting::name);
 }
 
-const Experiment& read_experiment(const toml::table& document, const std::string& origin) {
+const Experiment& read_experiment(const toml::table& document, const std::string& origin,
+                                  std::span<const Experiment* const> experiments) {
   std::vector<std::string> names;
-  for (const Experiment* e : experiment_registry()) names.emplace_back(e->name());
+  for (const Experiment* e : experiments) names.emplace_back(e->name());
   const toml::node* node = document.get("experiment");
   if (node == nullptr) {
     throw core::InputError(fmt::format("{}: the key \"experiment\" is missing; add experiment = \"{}\" (allowed: {})",
                                        origin, names.front(), fmt::join(names, ", ")));
   }
-  return *find_experiment(read_text(*node, "experiment", names));
+  const std::string chosen = read_text(*node, "experiment", names);
+  return *experiments[static_cast<std::size_t>(std::ranges::find(names, chosen) - names.begin())];
 }
 
 std::vector<std::string> section_names(const Experiment& experiment) {
@@ -82,7 +85,7 @@ void read_sections(const toml::table& document, Study& study) {
 /// The share of trials that the reference solves again: none where an experiment has no reference.
 double read_audit(const toml::table& document, const Experiment& experiment) {
   const toml::node* node = document.get("audit");
-  const bool has_audit = experiment.audit_metrics() > 0;
+  const bool has_audit = audit_metrics_of(experiment) > 0;
   if (node == nullptr) return has_audit ? Study{}.audit : 0.0;
   const double audit = std::get<double>(read_setting(*node, study_setting("audit"), "audit"));
   if (audit > 0.0 && !has_audit) {
@@ -147,12 +150,13 @@ StudySource find_study(std::string_view path_or_name) {
   return {path.stem().string(), path.string(), text.str()};
 }
 
-Study read_study(const StudySource& source, std::span<const std::string> overrides) {
+Study read_study(const StudySource& source, std::span<const std::string> overrides,
+                 std::span<const Experiment* const> experiments) {
   const toml::table document = parse_document(source.text, source.origin, overrides);
 
   Study study;
   study.name = source.name;
-  study.experiment = &read_experiment(document, source.origin);
+  study.experiment = &read_experiment(document, source.origin, experiments);
 
   std::vector<std::string> allowed = {"title", "aims",  "experiment", "seed",    "trials", "audit",
                                       "store", "sweep", "method",     "compare", "stop",   "figure"};

@@ -20,7 +20,9 @@ struct StudySource {
 StudySource find_study(std::string_view path_or_name);
 
 /// Reads and validates a study. `overrides` are "key=value" pairs, "scene.depth_m=[2, 15]" or "trials=1000", applied
-/// before validation. Throws core::InputError: one line with file, line, what is wrong, what is allowed.
-Study read_study(const StudySource& source, std::span<const std::string> overrides = {});
+/// before validation; `experiments` are those that a study may be of. Throws core::InputError: one line with file,
+/// line, what is wrong, what is allowed.
+Study read_study(const StudySource& source, std::span<const std::string> overrides,
+                 std::span<const Experiment* const> experiments);
 
 }  // namespace ridgeloc::studies

@@ -1,4 +1,5 @@
 #include "studies/files/study_writer.hpp"
+#include "studies/study/capabilities.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -131,7 +132,7 @@ std::string template_toml(const Experiment& experiment) {
       "title = \"My study\"\naims = \"\"  # what it is to find out, for reports\nexperiment = \"{}\"\nseed = "
       "2018\ntrials = 10000  # per cell\n",
       experiment.name(), experiment.summary(), experiment.name());
-  if (experiment.audit_metrics() > 0) {
+  if (audit_metrics_of(experiment) > 0) {
     out += "audit = 0.0001  # share of the trials, besides the first 100 of a cell, that Ceres solves again; 0: none\n";
   }
   out += "\n[store]\ntrial_columns_mib = 64.0  # per-trial columns kept of each cell (MiB)\n";

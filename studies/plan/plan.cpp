@@ -10,6 +10,7 @@
 #include "core/units.hpp"
 #include "results/util/digest.hpp"
 #include "studies/files/study_writer.hpp"
+#include "studies/study/capabilities.hpp"
 #include "studies/study/comparison.hpp"
 
 namespace ridgeloc::studies {
@@ -85,7 +86,7 @@ std::vector<Cell> make_cells(const Study& study) {
 /// The settings that a method's solver reads, swept ones aside.
 std::string method_content(const Study& study, const Method& method) {
   std::string content = fmt::format("solver = {}", method.solver);
-  for (const std::string& name : study.experiment->settings_of_solver(method.solver)) {
+  for (const std::string& name : settings_read_for(*study.experiment, method.solver)) {
     const auto given = method.given.find(name);
     const auto shared = study.fixed.find(name);
     if (given != method.given.end()) {
@@ -119,12 +120,12 @@ results::Header make_header(const Study& study, const std::vector<Cell>& cells, 
     header.axes.push_back(std::move(out));
   }
   for (const Cell& cell : cells)
-    header.cells.push_back({cell.hash, cell.indices, study.experiment->bound(cell.values)});
+    header.cells.push_back({cell.hash, cell.indices, bound_of(*study.experiment, cell.values)});
   for (const Method& method : study.methods) {
     const std::string content = method_content(study, method);
     header.methods.push_back({method.label, short_hash(content), content});
   }
-  for (const std::string& label : study.experiment->extra_labels()) {
+  for (const std::string& label : label_names(*study.experiment)) {
     // It may depend on settings that solvers share.
     const std::string content = method_content(study, {label, label, {}});
     header.methods.push_back({label, short_hash(content), "what does not depend on a solver"});
@@ -183,9 +184,9 @@ Plan make_plan(const Study& study, core::Isa isa) {
 
 std::uint64_t bytes_per_trial(const Study& study) {
   const results::Schema& schema = study.experiment->schema();
-  const std::size_t absent = study.audit > 0.0 ? 0 : study.experiment->audit_metrics();
+  const std::size_t absent = study.audit > 0.0 ? 0 : audit_metrics_of(*study.experiment);
   const std::uint64_t columns = (schema.metrics.size() - absent) * sizeof(double) + sizeof(std::uint8_t);
-  return columns * (study.methods.size() + study.experiment->extra_labels().size());
+  return columns * (study.methods.size() + label_names(*study.experiment).size());
 }
 
 }  // namespace ridgeloc::studies

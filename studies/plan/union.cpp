@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "studies/plan/plan.hpp"
+#include "studies/study/capabilities.hpp"
 
 namespace ridgeloc::studies {
 
@@ -126,7 +127,7 @@ void unite_sweeps(Study& study, const Study& other) {
 
 /// A method of another study with all that it reads and that the first study has set otherwise.
 Method method_in(const Study& study, const Study& other, Method method) {
-  for (const std::string& name : study.experiment->settings_of_solver(method.solver)) {
+  for (const std::string& name : settings_read_for(*study.experiment, method.solver)) {
     const auto here = study.fixed.find(name);
     const auto there = other.fixed.find(name);
     if (method.given.contains(name) || here == study.fixed.end() || there == other.fixed.end()) continue;
@@ -138,7 +139,7 @@ Method method_in(const Study& study, const Study& other, Method method) {
 void unite_methods(Study& study, const Study& other) {
   std::set<std::string> known;
   for (const Method& method : study.methods) known.insert(method_hash(study, method));
-  for (const std::string& label : study.experiment->extra_labels()) {
+  for (const std::string& label : label_names(*study.experiment)) {
     if (method_hash(study, {label, label, {}}) != method_hash(other, {label, label, {}})) {
       throw core::InputError(
           fmt::format("{}: its settings in [solver] give another \"{}\" than those of {}; give them to "

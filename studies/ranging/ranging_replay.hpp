@@ -9,7 +9,7 @@
 
 namespace ridgeloc::studies {
 
-/// `Experiment::replay` of `ranging`.
+/// `TrialReplay::replay` of `ranging`.
 Replay replay_ranging(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, std::uint64_t trial,
                       RangingScratch& scratch);
 

@@ -8,6 +8,7 @@
 #include "core/solution.hpp"
 #include "studies/ranging/ranging_settings.hpp"
 #include "studies/solving/audit.hpp"
+#include "studies/solving/pieces.hpp"
 #include "studies/study/experiment.hpp"
 
 namespace ridgeloc::studies {
@@ -24,6 +25,7 @@ struct RangingScratch : Workspace {
   std::vector<double> condition;
   std::vector<std::uint8_t> flags;
   Audit::Columns audit;
+  PieceMemory piece;
 };
 
 /// Writes the problems of a range of trials into the scratch memory, by the kernels of its instruction set; what is

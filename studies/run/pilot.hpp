@@ -17,9 +17,10 @@ struct Pilot {
   std::vector<std::uint64_t> predicted_trials;
 };
 
-/// Runs trials of the second block of each cell on one thread, round by round with growing numbers of trials, until
-/// `budget_s` is used up; every cell is run at least once, with 16 trials. Then the first trials of the first cell,
-/// which are all audited. Keeps no result.
+/// Runs trials of the second block of each cell on one thread, round by round with growing numbers of trials, first a
+/// single one, until `budget_s` is used up or one trial has taken longer. Where not even one trial of each cell fits,
+/// cells spread evenly over all speak for the others. Then the first trials of the first cell, which are all audited.
+/// Keeps no result.
 Pilot run_pilot(const Study& study, const Plan& plan, double budget_s);
 
 }  // namespace ridgeloc::studies

@@ -1,32 +1,30 @@
 #include "studies/run/runner.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
-#include <tbb/task_arena.h>
-#include <tbb/task_group.h>
-
 #include <algorithm>
 #include <chrono>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <utility>
 #include <vector>
 
 #include "results/blocks/block.hpp"
 #include "results/store/result_writer.hpp"
 #include "studies/run/stop_rounds.hpp"
+#include "studies/run/workbench.hpp"
+#include "studies/study/capabilities.hpp"
 
 namespace ridgeloc::studies {
 
 namespace {
 
-/// Blocks that one task computes before it hands them to the store: long enough for the hand-over not to be felt,
-/// short enough to share the work evenly and to stop soon.
-constexpr std::uint64_t blocks_per_task = 4;
+/// Most blocks that one piece of work has: enough for the queue not to be felt.
+constexpr std::uint64_t most_blocks_per_piece = 4;
+
+/// Pieces that each worker has at least, where there are blocks enough, so that all end at about the same time.
+constexpr std::uint64_t pieces_per_worker = 8;
+
+/// Blocks go to the store after this time at the latest: what a killed program loses of slow ones.
+constexpr double hand_over_s = 0.1;
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -51,7 +49,7 @@ BlockWork block_work(const Study& study, const results::Header& header, const st
     }
     return place->second;
   };
-  const std::size_t extras = study.experiment->extra_labels().size();
+  const std::size_t extras = study.experiment->labels().size();
   std::vector<std::size_t> extra(extras, unwanted);
   for (const std::size_t number : missing) {
     if (const auto& pair = header.methods[number].difference) {
@@ -67,24 +65,38 @@ BlockWork block_work(const Study& study, const results::Header& header, const st
   return work;
 }
 
-std::uint64_t tasks_of(const Stretch& stretch) {
-  return (stretch.end - stretch.first + blocks_per_task - 1) / blocks_per_task;
-}
+/// What the store has, as stop rules ask for it.
+class Stored : public FinishedBlocks {
+ public:
+  explicit Stored(const results::ResultWriter& writer) : writer_(writer) {}
+
+  Extent extent(std::size_t cell, const std::vector<std::size_t>& methods) const override {
+    const auto extent = writer_.extent(cell, methods);
+    return {extent.unbroken, extent.end};
+  }
+  results::Statistics statistics(std::size_t cell, std::size_t method) const override {
+    return writer_.statistics(cell, method);
+  }
+
+ private:
+  const results::ResultWriter& writer_;
+};
 
 /// One run: what is to be done, and where it goes.
 class Run {
  public:
   Run(const Study& study, const Plan& plan, const Assignment& assignment, results::ResultWriter& writer,
-      RunProgress& progress, const std::atomic<bool>& stop)
+      WorkQueue& queue, RunProgress& progress, const std::atomic<bool>& stop)
       : study_(study),
         plan_(plan),
         assignment_(assignment),
         writer_(writer),
+        queue_(queue),
         progress_(progress),
         stop_(stop),
-        workspaces_([&study, &plan] { return study.experiment->make_workspace(plan.isa); }) {}
+        bench_(study, plan, queue.workers()) {}
 
-  /// Computes what is missing of some stretches, in their order as far as threads have one.
+  /// Computes what is missing of some stretches, in their order as far as workers have one.
   void compute(const std::vector<Stretch>& stretches);
 
   /// All blocks of the assignment.
@@ -100,59 +112,74 @@ class Run {
   std::uint64_t blocks_run() const { return computed_.load(); }
 
  private:
-  void compute_task(const Stretch& stretch, std::uint64_t task);
+  void compute_piece(const Stretch& piece, std::size_t worker);
+  bool compute_block(std::size_t cell, std::uint64_t block, std::size_t worker, std::vector<results::BlockSink>& done);
 
   const Study& study_;
   const Plan& plan_;
   const Assignment& assignment_;
   results::ResultWriter& writer_;
+  WorkQueue& queue_;
   RunProgress& progress_;
   const std::atomic<bool>& stop_;
-  tbb::enumerable_thread_specific<std::unique_ptr<Workspace>> workspaces_;
+  Workbench bench_;
   std::atomic<std::uint64_t> found_{0};
   std::atomic<std::uint64_t> computed_{0};
 };
 
-void Run::compute_task(const Stretch& stretch, std::uint64_t task) {
-  const Cell& cell = plan_.cells[assignment_.cells[stretch.place]];
-  const std::uint64_t first = stretch.first + task * blocks_per_task;
-  const std::uint64_t end = std::min(first + blocks_per_task, stretch.end);
-  std::vector<results::BlockSink> sinks;
-  for (std::uint64_t block = first; block < end && !stop_.load(std::memory_order_relaxed); ++block) {
-    if (!assignment_.contains(stretch.place, block)) continue;
-    const TrialRange range = assignment_.range(block);
-    const auto missing = writer_.missing_methods(cell.index, block, range.count, assignment_.methods);
-    if (missing.empty()) {
-      found_.fetch_add(1, std::memory_order_relaxed);
-    } else {
-      BlockWork work = block_work(study_, plan_.header, missing);
-      results::BlockSink& sink =
-          sinks.emplace_back(plan_.header, cell.index, block, range.count, std::move(work.wanted));
-      study_.experiment->run_block({study_.seed, study_.audit}, cell, work.methods, range, *workspaces_.local(), sink);
-      computed_.fetch_add(1, std::memory_order_relaxed);
-      progress_.trials_done.fetch_add(range.count, std::memory_order_relaxed);
-    }
-    progress_.blocks_done.fetch_add(1, std::memory_order_relaxed);
+/// Computes what a block lacks. Returns whether it came to an end.
+bool Run::compute_block(std::size_t cell, std::uint64_t block, std::size_t worker,
+                        std::vector<results::BlockSink>& done) {
+  const TrialRange range = assignment_.range(block);
+  const auto missing = writer_.missing_methods(cell, block, range.count, assignment_.methods);
+  if (missing.empty()) {
+    found_.fetch_add(1, std::memory_order_relaxed);
+    progress_.trials_found.fetch_add(range.count, std::memory_order_relaxed);
+  } else {
+    BlockWork work = block_work(study_, plan_.header, missing);
+    const Simulation& simulation = bench_.simulation(worker, cell, work.methods);
+    results::BlockSink sink(plan_.header, cell, block, range.count, std::move(work.wanted));
+    Monitor monitor(stop_, progress_.trials_done);
+    if (!simulation.run_block(range, bench_.workspace(worker), monitor, sink)) return false;
+    monitor.advance(range.count - monitor.advanced());
+    done.push_back(std::move(sink));
+    computed_.fetch_add(1, std::memory_order_relaxed);
   }
-  if (!sinks.empty()) writer_.add(std::move(sinks));
+  progress_.blocks_done.fetch_add(1, std::memory_order_relaxed);
+  return true;
+}
+
+void Run::compute_piece(const Stretch& piece, std::size_t worker) {
+  const Cell& cell = plan_.cells[assignment_.cells[piece.place]];
+  std::vector<results::BlockSink> done;
+  auto handed_over = std::chrono::steady_clock::now();
+  for (std::uint64_t block = piece.first; block < piece.end && !stop_.load(std::memory_order_relaxed); ++block) {
+    if (!assignment_.contains(piece.place, block)) continue;
+    if (!compute_block(cell.index, block, worker, done)) break;
+    if (!done.empty() && seconds_since(handed_over) > hand_over_s) {
+      writer_.add(std::exchange(done, {}));
+      handed_over = std::chrono::steady_clock::now();
+    }
+  }
+  if (!done.empty()) writer_.add(std::move(done));
 }
 
 void Run::compute(const std::vector<Stretch>& stretches) {
-  std::vector<std::uint64_t> tasks_before = {0};
-  for (const Stretch& stretch : stretches) tasks_before.push_back(tasks_before.back() + tasks_of(stretch));
-  tbb::task_group_context context;
-  tbb::parallel_for(
-      tbb::blocked_range<std::uint64_t>(0, tasks_before.back(), 1),
-      [&](const tbb::blocked_range<std::uint64_t>& range) {
-        // Without this a stop would still visit every task there is, and there may be billions.
-        if (stop_.load(std::memory_order_relaxed)) context.cancel_group_execution();
-        for (std::uint64_t task = range.begin(); task != range.end(); ++task) {
-          const auto after = std::ranges::upper_bound(tasks_before, task);
-          const auto i = static_cast<std::size_t>(after - tasks_before.begin()) - 1;
-          compute_task(stretches[i], task - tasks_before[i]);
-        }
-      },
-      tbb::simple_partitioner{}, context);
+  std::uint64_t blocks = 0;
+  for (const Stretch& stretch : stretches) blocks += stretch.end - stretch.first;
+  const std::uint64_t size =
+      std::clamp<std::uint64_t>(blocks / (queue_.workers() * pieces_per_worker), 1, most_blocks_per_piece);
+  std::vector<std::uint64_t> pieces_before = {0};
+  for (const Stretch& stretch : stretches) {
+    pieces_before.push_back(pieces_before.back() + (stretch.end - stretch.first + size - 1) / size);
+  }
+  queue_.run(pieces_before.back(), stop_, [&](std::uint64_t piece, std::size_t worker) {
+    const auto after = std::ranges::upper_bound(pieces_before, piece);
+    const auto i = static_cast<std::size_t>(after - pieces_before.begin()) - 1;
+    const Stretch& stretch = stretches[i];
+    const std::uint64_t first = stretch.first + (piece - pieces_before[i]) * size;
+    compute_piece({stretch.place, first, std::min(first + size, stretch.end)}, worker);
+  });
 }
 
 std::vector<Stretch> Run::everything() const {
@@ -176,35 +203,45 @@ std::uint64_t Run::blocks_kept() const {
   return sum;
 }
 
+/// Trials of the blocks of some stretches that an assignment has; of a share as many as blocks on average.
+std::uint64_t trials_of(const Assignment& assignment, const std::vector<Stretch>& stretches) {
+  std::uint64_t trials = 0;
+  for (const Stretch& stretch : stretches) {
+    const std::uint64_t end = std::min(stretch.end * assignment.block_trials, assignment.trials);
+    trials += end - std::min(stretch.first * assignment.block_trials, end);
+  }
+  return trials / assignment.shard.count;
+}
+
 }  // namespace
 
 RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment,
-                     const std::filesystem::path& output, int threads, results::Provenance provenance,
+                     const std::filesystem::path& output, WorkQueue& queue, results::Provenance provenance,
                      RunProgress& progress, const std::atomic<bool>& stop) {
   using Totals = results::ResultWriter::Totals;
   results::ResultWriter writer(output, plan.header, study.stop ? Totals::Kept : Totals::Dropped);
   Assignment own = assignment;
   if (study.stop) own.trials = looks(*study.stop, own.block_trials).back() * own.block_trials;
-  Run run(study, plan, own, writer, progress, stop);
+  Run run(study, plan, own, writer, queue, progress, stop);
   const auto begin = std::chrono::steady_clock::now();
-  // The arena sets how many threads this run uses; the control lets it exceed the number of processors.
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
   std::uint64_t blocks = 0;
   const auto compute = [&](const std::vector<Stretch>& stretches, std::uint64_t more) {
     blocks += more;
     progress.blocks_total = blocks;
+    progress.trials_total += trials_of(own, stretches);
     run.compute(stretches);
   };
-  arena.execute([&] {
-    if (!study.stop) return compute(run.everything(), own.blocks());
-    StopRounds rounds(study, plan, own, writer);
+  if (study.stop) {
+    const Stored stored(writer);
+    StopRounds rounds(study, plan, own, stored);
     for (auto round = run.present(); !round.empty() && !stop.load(); round = rounds.next()) {
       std::uint64_t more = 0;
       for (const Stretch& stretch : round) more += stretch.end - stretch.first;
       compute(round, more);
     }
-  });
+  } else {
+    compute(run.everything(), own.blocks());
+  }
 
   RunOutcome outcome{false, false, run.blocks_found(), run.blocks_run(), 0, writer.warnings()};
   if (outcome.blocks_found + outcome.blocks_run < blocks || (study.stop && stop.load())) {
@@ -216,7 +253,7 @@ RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& ass
   outcome.sealed = true;
   outcome.unchanged = writer.is_current();
   if (outcome.unchanged) return outcome;
-  provenance.threads = static_cast<unsigned>(threads);
+  provenance.threads = static_cast<unsigned>(queue.workers());
   provenance.wall_time_s.emplace_back("compute", seconds_since(begin));
   results::complete(provenance);
   writer.seal(provenance);

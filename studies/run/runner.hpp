@@ -9,6 +9,7 @@
 #include "results/store/provenance.hpp"
 #include "studies/plan/assignment.hpp"
 #include "studies/plan/plan.hpp"
+#include "studies/run/work_queue.hpp"
 #include "studies/study/study.hpp"
 
 namespace ridgeloc::studies {
@@ -17,7 +18,9 @@ namespace ridgeloc::studies {
 struct RunProgress {
   std::atomic<std::uint64_t> blocks_total{0};  ///< as far as is known: a stop rule decides on the way
   std::atomic<std::uint64_t> blocks_done{0};   ///< blocks of this run and those found finished
-  std::atomic<std::uint64_t> trials_done{0};   ///< trials of this run
+  std::atomic<std::uint64_t> trials_total{0};  ///< of these blocks; last blocks may be smaller
+  std::atomic<std::uint64_t> trials_done{0};   ///< trials of this run, those of blocks that are under way included
+  std::atomic<std::uint64_t> trials_found{0};  ///< trials of blocks found finished
 };
 
 struct RunOutcome {
@@ -29,16 +32,16 @@ struct RunOutcome {
   std::vector<std::string> warnings;  ///< one line per damaged part that was found and is computed again
 };
 
-/// Computes every block of an assignment that the result does not have yet, for the methods that lack it, on `threads`
-/// threads, and seals the result with all that it has. A stop rule is applied in rounds that depend on finished
-/// blocks alone (`StopRounds`), so that neither threads nor interruptions change where a cell ends.
+/// Computes every block of an assignment that the result does not have yet, for the methods that lack it, by the
+/// workers of a queue, and seals the result with all that it has. A stop rule is applied in rounds that depend on
+/// finished blocks alone (`StopRounds`), so that neither threads nor interruptions change where a cell ends.
 ///
-/// Blocks are independent tasks; what a block holds does not depend on the number of threads or on the order. When
-/// `stop` becomes true, running blocks end, are kept, and the result stays as it was. `provenance` carries what the
-/// caller knows about the build; the runner adds threads and wall times.
-/// Throws core::InputError if `output` cannot be used, core::IoError if writing fails; finished parts are kept.
+/// Blocks are independent; what a block holds does not depend on the number of workers or on the order. When `stop`
+/// becomes true, blocks that are under way are given up, finished ones are kept, and the result stays as it was.
+/// `provenance` carries what the caller knows about the build; the runner adds threads and wall times. Throws
+/// core::InputError if `output` cannot be used, core::IoError if writing fails; finished parts are kept.
 RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment,
-                     const std::filesystem::path& output, int threads, results::Provenance provenance,
+                     const std::filesystem::path& output, WorkQueue& queue, results::Provenance provenance,
                      RunProgress& progress, const std::atomic<bool>& stop);
 
 }  // namespace ridgeloc::studies

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <iterator>
 
+#include "studies/study/capabilities.hpp"
+
 namespace ridgeloc::studies {
 
 StopRounds::StopRounds(const Study& study, const Plan& plan, const Assignment& assignment,
-                       const results::ResultWriter& writer)
+                       const FinishedBlocks& finished)
     : study_(study),
       plan_(plan),
       assignment_(assignment),
-      writer_(writer),
+      finished_(finished),
       looks_(looks(*study.stop, assignment.block_trials)),
       known_(assignment.cells.size()) {}
 
@@ -21,8 +23,8 @@ const StopRounds::Known& StopRounds::known(std::size_t place, std::uint64_t bloc
   std::vector<results::Statistics> statistics;
   double cost = 0.0;
   for (std::size_t m = 0; m < plan_.header.methods.size(); ++m) {
-    statistics.push_back(writer_.statistics(cell, m));
-    if (m < study_.methods.size()) cost += study_.experiment->cost(plan_.cells[cell].values, statistics.back());
+    statistics.push_back(finished_.statistics(cell, m));
+    if (m < study_.methods.size()) cost += cost_of(*study_.experiment, plan_.cells[cell].values, statistics.back());
   }
   known = {blocks, cost, precision_of(*study_.stop, plan_.header, statistics)};
   return known;
@@ -32,7 +34,7 @@ std::vector<Stretch> StopRounds::next() {
   std::vector<Stretch> begun;    // cells between two looks, or before the first
   std::vector<Stretch> wanting;  // cells at a look that was not the last
   for (std::size_t place = 0; place < assignment_.cells.size(); ++place) {
-    const auto extent = writer_.extent(assignment_.cells[place], assignment_.methods);
+    const auto extent = finished_.extent(assignment_.cells[place], assignment_.methods);
     const auto next = std::ranges::upper_bound(looks_, extent.unbroken);
     if (next == looks_.end()) continue;
     const Stretch stretch{place, extent.unbroken, *next};
@@ -52,7 +54,7 @@ std::vector<Stretch> StopRounds::next() {
 std::vector<Stretch> StopRounds::most_worthwhile(const std::vector<Stretch>& wanting) {
   double spent = 0.0;
   for (std::size_t place = 0; place < assignment_.cells.size(); ++place) {
-    const std::uint64_t blocks = writer_.extent(assignment_.cells[place], assignment_.methods).unbroken;
+    const std::uint64_t blocks = finished_.extent(assignment_.cells[place], assignment_.methods).unbroken;
     spent += known(place, blocks).cost;
   }
   if (wanting.empty() || spent >= study_.stop->max_cost) return {};

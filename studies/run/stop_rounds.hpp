@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "results/store/result_writer.hpp"
+#include "results/statistics/statistics.hpp"
 #include "studies/plan/assignment.hpp"
 #include "studies/plan/plan.hpp"
 #include "studies/study/study.hpp"
@@ -18,6 +18,22 @@ struct Stretch {
   std::uint64_t end = 0;
 };
 
+/// What is there of a result, for whoever decides what is to be computed next.
+class FinishedBlocks {
+ public:
+  /// How far a cell is: the whole blocks that all methods have from the first on without a gap, and one past the last
+  /// block that any has.
+  struct Extent {
+    std::uint64_t unbroken = 0;
+    std::uint64_t end = 0;
+  };
+
+  virtual ~FinishedBlocks() = default;
+  virtual Extent extent(std::size_t cell, const std::vector<std::size_t>& methods) const = 0;
+  /// Of all trials that a method has in a cell.
+  virtual results::Statistics statistics(std::size_t cell, std::size_t method) const = 0;
+};
+
 /// What a stop rule asks for, round by round. A round depends on the finished blocks alone, never on time or threads,
 /// and not on how they came about: a run that was interrupted goes on as if it had not been.
 ///
@@ -26,8 +42,8 @@ struct Stretch {
 /// cost of all that there is reaches the limit; only the first look of every cell is not subject to it.
 class StopRounds {
  public:
-  /// All of them must outlive this one. Precondition: the study has a stop rule, and the writer keeps totals.
-  StopRounds(const Study& study, const Plan& plan, const Assignment& assignment, const results::ResultWriter& writer);
+  /// All of them must outlive this one. Precondition: the study has a stop rule.
+  StopRounds(const Study& study, const Plan& plan, const Assignment& assignment, const FinishedBlocks& finished);
 
   /// The next round, after all blocks of the last one have been added; empty when the rule is satisfied.
   std::vector<Stretch> next();
@@ -45,7 +61,7 @@ class StopRounds {
   const Study& study_;
   const Plan& plan_;
   const Assignment& assignment_;
-  const results::ResultWriter& writer_;
+  const FinishedBlocks& finished_;
   std::vector<std::uint64_t> looks_;
   std::vector<Known> known_;  ///< by place; of the last look that was asked about
 };

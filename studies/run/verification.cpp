@@ -1,12 +1,6 @@
 #include "studies/run/verification.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
-#include <memory>
 #include <mutex>
 #include <random>
 #include <set>
@@ -14,14 +8,16 @@
 #include <utility>
 
 #include "results/blocks/block.hpp"
+#include "studies/run/workbench.hpp"
 
 namespace ridgeloc::studies {
 
 namespace {
 
 /// Compares one block. Methods may know it with different numbers of trials, if it is the last one of each.
-std::vector<BlockDifference> differences_of(const Study& study, const Plan& plan, const results::Ledger& ledger,
-                                            const BlockNumber& where, Workspace& workspace) {
+std::vector<BlockDifference> differences_of(const Simulation& simulation, const Plan& plan,
+                                            const results::Ledger& ledger, const BlockNumber& where,
+                                            Workspace& workspace) {
   std::set<std::uint64_t> lengths;
   for (std::size_t m = 0; m < plan.header.methods.size(); ++m) {
     if (const auto known = ledger.find(where.cell, m, where.block)) lengths.insert(known->trials);
@@ -30,8 +26,8 @@ std::vector<BlockDifference> differences_of(const Study& study, const Plan& plan
   for (const std::uint64_t trials : lengths) {
     results::BlockSink sink(plan.header, where.cell, where.block, trials);
     const TrialRange range{where.block * plan.header.block_trials, static_cast<std::size_t>(trials)};
-    study.experiment->run_block({study.seed, study.audit}, plan.cells[where.cell], study.methods, range, workspace,
-                                sink);
+    NoMonitor monitor;
+    if (!simulation.run_block(range, workspace, monitor, sink)) continue;
     for (const results::Row& row : sink.take_rows()) {
       const auto known = ledger.find(where.cell, row.method, where.block);
       if (known && known->trials == trials && known->digest != row.digests.front())
@@ -63,20 +59,16 @@ std::vector<BlockNumber> random_choice(std::vector<BlockNumber> blocks, std::siz
 }
 
 std::vector<BlockDifference> differing_blocks(const Study& study, const Plan& plan, const results::Ledger& ledger,
-                                              const std::vector<BlockNumber>& blocks, int threads) {
+                                              const std::vector<BlockNumber>& blocks, WorkQueue& queue) {
   std::vector<BlockDifference> all;
   std::mutex mutex;
-  tbb::enumerable_thread_specific<std::unique_ptr<Workspace>> workspaces(
-      [&] { return study.experiment->make_workspace(plan.isa); });
-  // The arena sets how many threads this uses; the control lets it exceed the number of processors.
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
-      const auto found = differences_of(study, plan, ledger, blocks[i], *workspaces.local());
-      const std::scoped_lock lock(mutex);
-      all.insert(all.end(), found.begin(), found.end());
-    });
+  Workbench bench(study, plan, queue.workers());
+  queue.run_all(blocks.size(), [&](std::uint64_t i, std::size_t worker) {
+    const BlockNumber& where = blocks[i];
+    const Simulation& simulation = bench.simulation(worker, where.cell, study.methods);
+    const auto found = differences_of(simulation, plan, ledger, where, bench.workspace(worker));
+    const std::scoped_lock lock(mutex);
+    all.insert(all.end(), found.begin(), found.end());
   });
   std::ranges::sort(all, {}, [](const BlockDifference& d) { return std::tuple(d.where, d.method); });
   return all;

@@ -6,6 +6,7 @@
 
 #include "results/blocks/ledger.hpp"
 #include "studies/plan/plan.hpp"
+#include "studies/run/work_queue.hpp"
 #include "studies/study/study.hpp"
 
 namespace ridgeloc::studies {
@@ -30,9 +31,9 @@ struct BlockDifference {
   std::size_t method = 0;
 };
 
-/// Computes blocks again and compares the digests of all methods that the ledger has, on `threads` threads.
+/// Computes blocks again and compares the digests of all methods that the ledger has.
 /// Precondition: the ledger is of a result of the plan, and has the blocks.
 std::vector<BlockDifference> differing_blocks(const Study& study, const Plan& plan, const results::Ledger& ledger,
-                                              const std::vector<BlockNumber>& blocks, int threads);
+                                              const std::vector<BlockNumber>& blocks, WorkQueue& queue);
 
 }  // namespace ridgeloc::studies

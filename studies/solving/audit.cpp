@@ -49,14 +49,16 @@ bool Audit::covers(std::string_view solver, const solvers::SolverOptions& option
   return solvers::reference_objective(solver, options).has_value();
 }
 
-void Audit::fill(std::string_view solver, const solvers::SolverOptions& options, const core::SolutionBatch& solutions,
-                 Columns& columns) {
+bool Audit::fill(std::string_view solver, const solvers::SolverOptions& options, const core::SolutionBatch& solutions,
+                 const Monitor& monitor, Columns& columns) {
   for (std::vector<double>& column : columns) column.assign(slots_.size(), not_in_population);
-  if (slots_.empty()) return;
+  if (slots_.empty()) return true;
   const auto objective = *solvers::reference_objective(solver, options);
   const bool of_estimate = objective.loss == solvers::ReferenceLoss::Reweighted;
-  const AnswersOfSlots* shared = of_estimate ? nullptr : &shared_answers(objective);
+  const AnswersOfSlots* shared = of_estimate ? nullptr : shared_answers(objective, monitor);
+  if (!of_estimate && shared == nullptr) return false;
   for (std::size_t i = 0; i < slots_.size(); ++i) {
+    if (monitor.stop_requested()) return false;
     const std::size_t slot = slots_[i];
     std::array<double, audit_metric_count> values{};
     if (of_estimate) {
@@ -71,6 +73,7 @@ void Audit::fill(std::string_view solver, const solvers::SolverOptions& options,
     }
     for (std::size_t m = 0; m < audit_metric_count; ++m) columns[m][i] = values[m];
   }
+  return true;
 }
 
 Audit::Answers Audit::solve(std::size_t slot, const solvers::ReferenceObjective& objective) const {
@@ -80,12 +83,16 @@ Audit::Answers Audit::solve(std::size_t slot, const solvers::ReferenceObjective&
   return {solvers::minimize(problems_, slot, start, objective), solvers::minimize(problems_, slot, truth, objective)};
 }
 
-const Audit::AnswersOfSlots& Audit::shared_answers(const solvers::ReferenceObjective& objective) {
+const Audit::AnswersOfSlots* Audit::shared_answers(const solvers::ReferenceObjective& objective,
+                                                   const Monitor& monitor) {
   const auto known = std::ranges::find_if(shared_, [&](const auto& entry) { return entry.first == objective; });
-  if (known != shared_.end()) return known->second;
+  if (known != shared_.end()) return &known->second;
   AnswersOfSlots answers;
-  for (const std::size_t slot : slots_) answers.push_back(solve(slot, objective));
-  return shared_.emplace_back(objective, std::move(answers)).second;
+  for (const std::size_t slot : slots_) {
+    if (monitor.stop_requested()) return nullptr;
+    answers.push_back(solve(slot, objective));
+  }
+  return &shared_.emplace_back(objective, std::move(answers)).second;
 }
 
 std::array<double, audit_metric_count> Audit::judge(std::size_t slot, const solvers::ReferenceObjective& objective,

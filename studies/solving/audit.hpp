@@ -41,9 +41,11 @@ class Audit {
 
   /// The metrics of one method, a column each with a value per slot; NaN where the trial is not in the metric's
   /// population. Precondition: covers(solver, options).
+  ///
+  /// Asks the monitor before each trial; returns false, and then the columns are of no use, if that asked to stop.
   using Columns = std::array<std::vector<double>, audit_metric_count>;
-  void fill(std::string_view solver, const solvers::SolverOptions& options, const core::SolutionBatch& solutions,
-            Columns& columns);
+  [[nodiscard]] bool fill(std::string_view solver, const solvers::SolverOptions& options,
+                          const core::SolutionBatch& solutions, const Monitor& monitor, Columns& columns);
 
   const std::vector<std::size_t>& slots() const { return slots_; }
 
@@ -57,7 +59,8 @@ class Audit {
  private:
   using AnswersOfSlots = std::vector<Answers>;  ///< in the order of slots_
 
-  const AnswersOfSlots& shared_answers(const solvers::ReferenceObjective& objective);
+  /// Null if the monitor asked to stop.
+  const AnswersOfSlots* shared_answers(const solvers::ReferenceObjective& objective, const Monitor& monitor);
   std::array<double, audit_metric_count> judge(std::size_t slot, const solvers::ReferenceObjective& objective,
                                                const Answers& answers, const core::SolutionBatch& solutions) const;
 

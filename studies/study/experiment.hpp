@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -11,7 +12,7 @@
 #include "core/isa.hpp"
 #include "results/blocks/block.hpp"
 #include "results/schema/schema.hpp"
-#include "studies/study/replay.hpp"
+#include "studies/study/monitor.hpp"
 #include "studies/study/value.hpp"
 
 namespace ridgeloc::studies {
@@ -45,7 +46,8 @@ struct StudyKey {
   StudyKey(std::uint64_t study_seed, double audit_share = 0.0) : seed(study_seed), audit(audit_share) {}
 };
 
-/// Scratch memory of one thread, kept from block to block, and the instruction set that the thread computes with.
+/// Scratch memory of one thread, kept from block to block, and the instruction set that the thread computes with. An
+/// experiment that keeps anything derives from it.
 class Workspace {
  public:
   explicit Workspace(core::Isa set) : isa(set) {}
@@ -56,17 +58,41 @@ class Workspace {
   const core::Isa isa;
 };
 
-/// What the reference makes of the trials on which a method failed.
-struct FailureCounts {
-  std::uint64_t trials = 0;
-  std::uint64_t failed = 0;
-  std::uint64_t from_start = 0;  ///< of those: the reference finds a minimum from the same start
-  std::uint64_t from_truth = 0;  ///< ... from the truth
-  bool has_reference = false;
+/// A workspace as the experiment that made it knows it.
+template <class Own>
+Own& own(Workspace& workspace) {
+  assert(dynamic_cast<Own*>(&workspace) != nullptr);
+  return static_cast<Own&>(workspace);
+}
+
+/// One cell with some methods, ready to be run: whatever all its blocks share. Immutable, and shared by all threads.
+class Simulation {
+ public:
+  Simulation() = default;
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+  virtual ~Simulation() = default;
+
+  /// Simulates and solves a range of trials and hands every column to `sink`: those of the methods, then those of the
+  /// labels of the experiment. A pure function of what the simulation was prepared from, the range and the instruction
+  /// set: no clock, no thread, no state between calls. A trial that fails is a status; nothing is thrown because of
+  /// one. Thread safe for distinct workspaces of the experiment.
+  ///
+  /// Returns whether it came to its end. It does not if the monitor asked to stop: the sink is then of no use.
+  [[nodiscard]] virtual bool run_block(TrialRange range, Workspace& workspace, Monitor& monitor,
+                                       results::BlockSink& sink) const = 0;
 };
 
-/// A kind of simulated experiment. The runner, the store, the statistics and the figures know this interface alone, so
-/// a new experiment is one file and a line in the registry.
+/// What an experiment reports beside the methods of a study, and which settings that depends on besides those that
+/// every method shares.
+struct Label {
+  std::string name;
+  std::vector<std::string> settings;
+};
+
+/// A kind of simulated experiment. Runner, store, statistics and figures know this contract alone, and it says only
+/// what every experiment has; what some offer besides is in studies/study/capabilities.hpp. A new experiment is one
+/// file and a line in the registry.
 class Experiment {
  public:
   Experiment() = default;
@@ -80,60 +106,29 @@ class Experiment {
   /// Raised whenever a change of the code alters numbers; part of the study hash.
   virtual int version() const = 0;
 
-  /// Trials per block.
+  /// Trials per block, the unit of work, of storing and of stopping: what takes some milliseconds, or one trial if that
+  /// takes longer.
   virtual std::uint64_t block_trials() const = 0;
 
   virtual std::span<const Setting> settings() const = 0;
   virtual const results::Schema& schema() const = 0;
 
-  /// Refuses settings of a cell that cannot stand together: throws core::InputError that says which and why.
-  virtual void check(const Values& cell) const = 0;
-
-  /// What figures may show of the bounds of metrics in a cell; nothing where they are none.
-  virtual results::BoundKind bound(const Values&) const { return results::BoundKind::None; }
-
-  /// What the trials of one method in a cell have cost, in a unit that no machine changes.
-  virtual double cost(const Values&, const results::Statistics& statistics) const {
-    return static_cast<double>(statistics.trials);
-  }
-
-  /// How many of the metrics are reported only if there is an audit.
-  virtual std::size_t audit_metrics() const { return 0; }
-
   /// The end of a template study: a [sweep], [[method]]s and a [[figure]] worth starting from.
   virtual std::string_view example() const = 0;
 
-  /// Solvers that a [[method]] may name, and which settings each of them, or what an extra label stands for, reads.
-  virtual std::vector<std::string> solvers() const = 0;
-  virtual std::vector<std::string> settings_of_solver(std::string_view solver) const = 0;
+  /// Labels of what is reported beside the methods, after them in the order of columns.
+  virtual std::vector<Label> labels() const { return {{std::string(name()), {}}}; }
 
-  /// Labels of what the experiment reports beside the methods, after them in the order of columns.
-  virtual std::vector<std::string> extra_labels() const = 0;
+  /// Refuses settings of a cell that cannot stand together: throws core::InputError that says which and why.
+  virtual void check(const Values&) const {}
 
   /// Scratch memory for one thread. Precondition: core::is_supported(isa).
-  virtual std::unique_ptr<Workspace> make_workspace(core::Isa isa) const = 0;
+  virtual std::unique_ptr<Workspace> make_workspace(core::Isa isa) const { return std::make_unique<Workspace>(isa); }
 
-  /// Simulates and solves a range of trials of one cell and hands every column to `sink`. A pure function of (key,
-  /// cell, methods, range, instruction set): no clock, no thread, no state between calls. Thread safe for distinct
-  /// workspaces.
-  virtual void run_block(const StudyKey& key, const Cell& cell, std::span<const Method> methods, TrialRange range,
-                         Workspace& workspace, results::BlockSink& sink) const = 0;
-
-  /// Simulates and solves the same trials again and gives those that failed to the reference, a count per method.
-  virtual std::vector<FailureCounts> count_failures(std::uint64_t seed, const Cell& cell,
-                                                    std::span<const Method> methods, TrialRange range,
-                                                    Workspace& workspace) const = 0;
-
-  /// Simulates one trial again and solves it with every method, over `double` with each iteration told, and beside it
-  /// as in a block. A pure function, like `run_block`; the drawing takes a moment.
-  virtual Replay replay(std::uint64_t seed, const Cell& cell, std::span<const Method> methods, std::uint64_t trial,
-                        Workspace& workspace) const = 0;
+  /// Makes what all blocks of a cell need. `methods` are empty for an experiment that offers no choice of solvers. The
+  /// cell must outlive the simulation. Throws core::InputError where the settings turn out to be impossible.
+  virtual std::unique_ptr<const Simulation> prepare(const StudyKey& key, const Cell& cell,
+                                                    std::span<const Method> methods) const = 0;
 };
-
-/// All experiments.
-std::span<const Experiment* const> experiment_registry();
-
-/// The experiment of that name, or null.
-const Experiment* find_experiment(std::string_view name);
 
 }  // namespace ridgeloc::studies

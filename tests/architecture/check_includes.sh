@@ -65,10 +65,10 @@ declare -A libraries=(
 known='Random123|Eigen|xsimd|ceres|hdf5|H5[A-Za-z]*|openssl|xxhash|fmt|toml\+\+|tbb|CLI|spdlog|catch2'
 known+='|benchmark|unsupported|gsl|cminpack'
 
-# The room of a file, "results/store"; "results/root" for a file of the folder itself.
-room_of() {
-  local folder=${1%/*}
-  if [[ "$folder" == */* ]]; then echo "$folder"; else echo "$folder/root"; fi
+# Sets `room` to that of a file: "results/store", or "results/root" for a file of the folder itself.
+find_room() {
+  room=${1%/*}
+  [[ "$room" == */* ]] || room=$room/root
 }
 
 for folder in "${!allowed[@]}"; do
@@ -80,8 +80,10 @@ for folder in "${!allowed[@]}"; do
       continue
     fi
     [[ "${target%%/*}" == "$folder" ]] || continue
-    from=$(room_of "$file")
-    to=$(room_of "$target")
+    find_room "$file"
+    from=$room
+    find_room "$target"
+    to=$room
     [[ "$from" == "$to" || " ${rooms[$from]-} " == *" ${to#*/} "* ]] || complain "$file:$line: $from may not include $to"
   done < <(grep -nHoE '^#include "[a-z_]+/[a-z_0-9/]+' "${sources[@]}")
   for room in $(printf '%s\n' "${sources[@]%/*}" | sort -u); do

@@ -98,13 +98,11 @@ trials = 20
 map = { file = "hall.toml" }
 [object]
 object_class = "door"
-[[method]]
-solver = "detector"
 )");
   REQUIRE(folder.ridgeloc("run study.toml -o result.h5").exit_code == 0);
   const Outcome replay = folder.ridgeloc("replay result.h5 --trial 3 -o photo.png");
   REQUIRE(replay.exit_code == 0);
-  for (const char* piece : {"Doors: trial 3\n", "\ncamera\n", "\nobject\n", "door", "\ndetector, outcome\n"}) {
+  for (const char* piece : {"Doors: trial 3\n", "\ncamera\n", "\nobject\n", "door", "\noutcome\n"}) {
     INFO(piece);
     CHECK(contains(replay.out, piece));
   }

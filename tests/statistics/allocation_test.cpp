@@ -12,7 +12,9 @@
 
 #include "results/store/result_file.hpp"
 #include "studies/files/study_reader.hpp"
+#include "studies/registry.hpp"
 #include "studies/run/runner.hpp"
+#include "studies/study/capabilities.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
@@ -33,13 +35,13 @@ Spent run(const std::string& sweep, const std::string& amount) {
   const Plan plan = make_plan(study);
   const fs::path output = fs::temp_directory_path() / ("ridgeloc-allocation-" + std::to_string(::getpid()) + ".h5");
   RunProgress progress;
-  run_study(study, plan, everything(plan), output, 2, {}, progress, std::atomic<bool>(false));
+  run_study(study, plan, everything(plan), output, *thread_queue(2), {}, progress, std::atomic<bool>(false));
   const results::Summary summary = results::read_result(output);
   fs::remove(output);
   Spent spent;
   for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {
     const auto row = results::summary_row(summary.header, 0, summary.of(cell, 0), "error_all_m");
-    spent.cost += study.experiment->cost(plan.cells[cell].values, summary.of(cell, 0));
+    spent.cost += cost_of(*study.experiment, plan.cells[cell].values, summary.of(cell, 0));
     spent.mean_square += std::pow(row.mcse / row.mean, 2) / static_cast<double>(plan.cells.size());
     spent.worst = std::max(spent.worst, row.mcse / row.mean);
   }

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "results/schema/schema.hpp"
+#include "studies/registry.hpp"
+#include "studies/study/capabilities.hpp"
 #include "studies/study/experiment.hpp"
 #include "tests/support/catch.hpp"
 
@@ -44,8 +46,8 @@ TEST_CASE("every solver reads settings that the experiment has") {
   for (const Experiment* experiment : experiment_registry()) {
     std::set<std::string> settings;
     for (const Setting& setting : experiment->settings()) settings.insert(setting.name);
-    for (const std::string& solver : experiment->solvers()) {
-      for (const std::string& name : experiment->settings_of_solver(solver)) {
+    for (const std::string& solver : solvers_of(*experiment)) {
+      for (const std::string& name : settings_read_for(*experiment, solver)) {
         INFO(experiment->name() << ", " << solver << ": " << name);
         CHECK(settings.contains(name));
       }

@@ -13,8 +13,10 @@
 #include "studies/building/building_trials.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/plan/plan.hpp"
+#include "studies/registry.hpp"
 #include "studies/solving/solver_settings.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/simulation.hpp"
 
 namespace ridgeloc::tests {
 
@@ -28,8 +30,7 @@ inline std::vector<results::TrialColumns> columns_of(const studies::Study& study
                                                      core::Isa isa = core::best_isa()) {
   const studies::Plan plan = studies::make_plan(study, isa);
   results::BlockSink sink(plan.header, 0, 0, range.count);
-  const auto workspace = study.experiment->make_workspace(isa);
-  study.experiment->run_block(study.seed, plan.cells[0], study.methods, range, *workspace, sink);
+  tests::PreparedCell(study, plan.cells[0], isa).run(range, sink);
   return sink.take_columns();
 }
 
@@ -45,23 +46,23 @@ inline std::string error_of_block(const studies::Study& study) {
 
 inline studies::Replay replay_of(const studies::Study& study, std::uint64_t trial) {
   const studies::Plan plan = studies::make_plan(study, core::best_isa());
-  const auto workspace = study.experiment->make_workspace(core::best_isa());
-  return study.experiment->replay(study.seed, plan.cells[0], study.methods, trial, *workspace);
+  return tests::PreparedCell(study, plan.cells[0], core::best_isa()).replay(trial);
 }
 
 /// Simulated trials of a `building` study's first cell, ready to be solved.
 struct Photos {
   Photos(const studies::Study& study, studies::TrialRange range)
-      : plan(studies::make_plan(study, core::best_isa())), settings(plan.cells[0].values), scratch(core::best_isa()) {
-    simulate_building(study.seed, plan.cells[0], settings, range, scratch);
+      : plan(studies::make_plan(study, core::best_isa())), scene(study.seed, plan.cells[0]), scratch(core::best_isa()) {
+    REQUIRE(simulate_building(scene, range, studies::NoMonitor(), scratch));
   }
 
   void locate(const studies::Method& method) {
-    studies::locate(*settings.photo.map, method, solver_options(plan.cells[0].values, method.given), scratch);
+    REQUIRE(studies::locate(*scene.settings.photo.map, method, solver_options(plan.cells[0].values, method.given),
+                            studies::NoMonitor(), scratch));
   }
 
   studies::Plan plan;
-  studies::BuildingCell settings;
+  studies::BuildingScene scene;
   studies::BuildingScratch scratch;
 };
 

@@ -7,6 +7,7 @@
 #include "studies/plan/plan.hpp"
 #include "tests/support/building_study.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/simulation.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -20,8 +21,7 @@ std::vector<std::uint64_t> digests_of(const Study& study, core::Isa isa) {
   results::BlockMethods methods = results::all_methods(plan.header);
   methods.differences.clear();
   results::BlockSink sink(plan.header, 0, 0, range.count, std::move(methods));
-  const auto workspace = study.experiment->make_workspace(isa);
-  study.experiment->run_block(study.seed, plan.cells[0], study.methods, range, *workspace, sink);
+  tests::PreparedCell(study, plan.cells[0], isa).run(range, sink);
   std::vector<std::uint64_t> digests;
   for (const results::Row& row : sink.take_rows()) digests.push_back(row.digests[0]);
   return digests;
@@ -53,7 +53,7 @@ void check(const std::string& experiment, int version, const Golden& golden) {
 }  // namespace
 
 TEST_CASE("numbers of located photos change only with the version of the experiment") {
-  check("building", 1,
+  check("building", 2,
         GENERATE(Golden{R"(
 trials = 512
 [photo]
@@ -121,13 +121,11 @@ solver = "lm"
 }
 
 TEST_CASE("numbers of detected objects change only with the version of the experiment") {
-  const std::string detector = "[[method]]\nsolver = \"detector\"\n";
   const auto [settings, digest] = GENERATE(table<std::string, std::uint64_t>({
       {"trials = 1024\n[object]\nleast_detections = 3\n", 0xe0b813b5ca8c4afa},
       {"trials = 200\nseed = 7\n[building]\nmap = { random = 4 }\n[photo]\nwidest_spread_deg = 20.0\nroll_sigma_deg = "
        "3.0\n[detector]\nheight_sigma = 0.02\n[object]\nobject_class = \"door\"\ndistance = \"far\"\n",
        0x9909f7cf3309fda5},
   }));
-  const std::string study = settings + detector;
-  check("detection", 1, {study.c_str(), {digest}, {digest}});
+  check("detection", 2, {settings.c_str(), {digest}, {digest}});
 }

@@ -53,7 +53,7 @@ struct Hand {
     }
     solvers::SolverOptions options;
     options.step_tolerance_m = 1e-9;
-    locate(tests::hall({}), {"ols", "ols", {}}, options, scratch);
+    REQUIRE(locate(tests::hall({}), {"ols", "ols", {}}, options, NoMonitor(), scratch));
     return scratch.outcomes;
   }
 };

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "tests/support/building_study.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/simulation.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -115,8 +116,7 @@ TEST_CASE("photos with many starts are the same however they are put together") 
   auto pieces = columns_of(study, {0, 1});
   append(pieces, columns_of(study, {1, 11}));
   for (std::size_t m = 0; m < whole.size(); ++m) CHECK(same(whole[m], pieces[m]));
-  const auto workspace = study.experiment->make_workspace(plan.isa);
-  const auto counts = study.experiment->count_failures(study.seed, plan.cells[0], study.methods, {0, 12}, *workspace);
+  const auto counts = tests::PreparedCell(study, plan.cells[0], plan.isa).count_failures({0, 12});
   for (std::size_t m = 0; m < counts.size(); ++m) {
     CHECK(counts[m].failed == 12 - static_cast<std::uint64_t>(std::ranges::count(whole[m].status, std::uint8_t{0})));
   }
@@ -158,8 +158,7 @@ TEST_CASE("failures are counted again as the block counts them") {
   const Study study = photo_study("building", methods);
   const auto columns = columns_of(study, {7, 60});
   const Plan plan = make_plan(study, core::best_isa());
-  const auto workspace = study.experiment->make_workspace(plan.isa);
-  const auto counts = study.experiment->count_failures(study.seed, plan.cells[0], study.methods, {7, 60}, *workspace);
+  const auto counts = tests::PreparedCell(study, plan.cells[0], plan.isa).count_failures({7, 60});
   REQUIRE(counts.size() == study.methods.size());
   for (std::size_t m = 0; m < counts.size(); ++m) {
     CHECK(counts[m].trials == 60);

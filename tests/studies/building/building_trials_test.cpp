@@ -109,7 +109,7 @@ TEST_CASE("without errors of the detector pseudoranges are the true ranges") {
 TEST_CASE("problems hold what the starts observed") {
   const Photos photos(photo_study("building", "[photo]\nscores = \"detector\"\n" + ols), {0, 50});
   const BuildingScratch& s = photos.scratch;
-  const sim::BuildingMap& map = *photos.settings.photo.map;
+  const sim::BuildingMap& map = *photos.scene.settings.photo.map;
   std::size_t problems = 0;
   for (const StartGroup& group : s.groups) {
     problems += group.starts.size();
@@ -136,7 +136,7 @@ TEST_CASE("problems hold what the starts observed") {
 
 TEST_CASE("starts all over the map take every detection for its own object") {
   const Photos photos(photo_study("building", "[coarse]\nstarts = \"grid\"\nstart_spacing_m = 4.0\n" + ols), {0, 5});
-  const auto places = grid_places(*photos.settings.photo.map, 4.0);
+  const auto places = grid_places(*photos.scene.settings.photo.map, 4.0);
   REQUIRE(photos.scratch.starts.size() == 5 * places.size());
   for (std::size_t i = 0; i < photos.scratch.starts.size(); ++i) {
     CHECK(photos.scratch.starts[i].place_m == places[i % places.size()]);
@@ -235,7 +235,7 @@ v_mode = "fixed"
       for (std::size_t t = 0; t < slots.size(); ++t) slots[t] = t;
       Audit audit(group.problems, oracle, slots);
       Audit::Columns columns;
-      audit.fill(method.solver, options, solutions, columns);
+      REQUIRE(audit.fill(method.solver, options, solutions, NoMonitor(), columns));
       for (const std::size_t t : slots) {
         if (static_cast<core::Status>(solutions.status[t]) != core::Status::Converged) continue;
         ++converged;

@@ -8,6 +8,7 @@
 #include "studies/detection/detection_trials.hpp"
 #include "tests/support/building_study.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/simulation.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -17,11 +18,9 @@ using tests::photo_study;
 
 namespace {
 
-const std::string detector = "[[method]]\nsolver = \"detector\"\n";
-
 std::string error_of(const std::string& text) {
   try {
-    make_plan(photo_study("detection", text + detector));
+    make_plan(photo_study("detection", text));
   } catch (const core::InputError& error) {
     return error.what();
   }
@@ -40,7 +39,7 @@ TEST_CASE("a class that the map does not have is refused with those that it has"
 }
 
 TEST_CASE("objects are the same however a block is cut") {
-  const Study study = photo_study("detection", "[object]\nleast_detections = 3\n" + detector);
+  const Study study = photo_study("detection", "[object]\nleast_detections = 3\n");
   const auto whole = columns_of(study, {50, 100});
   for (const TrialRange piece : {TrialRange{50, 1}, TrialRange{51, 39}, TrialRange{90, 60}}) {
     const auto part = columns_of(study, piece);
@@ -60,7 +59,7 @@ TEST_CASE("only objects of the class and at the distance asked for count") {
       GENERATE(table<std::string, double, double>({{"near", 0.5, 6.0}, {"far", 6.0, 13.5}, {"any", 0.5, 13.5}}));
   const Study study =
       photo_study("detection", "[detector]\nnear_m = 6.0\n[object]\nobject_class = \"door\"\ndistance = \"" + distance +
-                                   "\"\nleast_detections = 2\n" + detector);
+                                   "\"\nleast_detections = 2\n");
   const Plan plan = make_plan(study);
   const DetectionCell cell(plan.cells[0].values);
   const DetectionTrials trials(study.seed, cell);
@@ -68,7 +67,9 @@ TEST_CASE("only objects of the class and at the distance asked for count") {
       std::ranges::find(cell.photo.map->classes, "door", &sim::ObjectClass::name) - cell.photo.map->classes.begin());
   sim::Photo photo;
   for (std::uint64_t t = 0; t < 100; ++t) {
-    const Sighting sighting = trials.take(t, photo);
+    const auto taken = trials.take(t, photo);
+    REQUIRE(taken);
+    const Sighting& sighting = *taken;
     CHECK(cell.photo.map->objects[sighting.view.object].object_class == door);
     CHECK(sighting.view.range_m >= low);
     CHECK(sighting.view.range_m <= high);
@@ -79,7 +80,7 @@ TEST_CASE("only objects of the class and at the distance asked for count") {
 
 TEST_CASE("photos whose detections lie far apart do not count") {
   const std::string widest = "[photo]\nwidest_spread_deg = 10.0\n[object]\nleast_detections = 3\n";
-  const Study study = photo_study("detection", widest + detector);
+  const Study study = photo_study("detection", widest);
   const Plan plan = make_plan(study);
   const DetectionCell cell(plan.cells[0].values);
   const DetectionTrials trials(study.seed, cell);
@@ -94,7 +95,7 @@ TEST_CASE("photos whose detections lie far apart do not count") {
     CHECK(angle_deg(right) - angle_deg(left) <= 10.0);
   }
   CHECK(tests::error_of_block(
-            photo_study("detection", "[photo]\nwidest_spread_deg = 0.1\n[object]\nleast_detections = 9\n" + detector))
+            photo_study("detection", "[photo]\nwidest_spread_deg = 0.1\n[object]\nleast_detections = 9\n"))
             .find("9 detections within photo.widest_spread_deg") != std::string::npos);
 }
 
@@ -104,27 +105,29 @@ TEST_CASE("what the class and the score of a detection depend on is no setting o
   }
 }
 
-TEST_CASE("missed objects are in no population of errors, and failures are counted as the block counts them") {
-  const Study study = photo_study("detection", detector);
+TEST_CASE("missed objects are in no population of errors") {
+  const Study study = photo_study("detection", "");
   const auto columns = columns_of(study, {0, 200});
   const std::size_t errors = metric_of(study, "pseudorange_error_m");
-  std::uint64_t missed = 0;
-  for (std::size_t t = 0; t < 200; ++t) {
-    missed += columns[0].status[t];
-    CHECK(std::isnan(columns[0].metrics[errors][t]) == (columns[0].status[t] == 1));
-  }
+  for (std::size_t t = 0; t < 200; ++t) CHECK(std::isnan(columns[0].metrics[errors][t]) == (columns[0].status[t] == 1));
+}
+
+TEST_CASE("there is no solver to choose, and no recount of failures") {
+  CHECK(error_of("[[method]]\nsolver = \"detector\"\n").find("has no methods to choose; leave [[method]] out") !=
+        std::string::npos);
+  const Study study = photo_study("detection", "");
   const Plan plan = make_plan(study);
-  const auto workspace = study.experiment->make_workspace(plan.isa);
-  const auto counts = study.experiment->count_failures(study.seed, plan.cells[0], study.methods, {0, 200}, *workspace);
-  REQUIRE(counts.size() == 1);
-  CHECK(counts[0].trials == 200);
-  CHECK(counts[0].failed == missed);
+  REQUIRE(plan.header.methods.size() == 1);
+  CHECK(plan.header.methods[0].label == "detector");
+  const auto simulation = study.experiment->prepare(study.seed, plan.cells[0], {});
+  CHECK(offered<FailureRecount>(*simulation) == nullptr);
+  CHECK_THROWS_WITH(required<FailureRecount>(*study.experiment, *simulation),
+                    "the experiment \"detection\" offers no recount of failures");
 }
 
 TEST_CASE("a perfect detector misses nothing and errs by nothing") {
-  const Study study =
-      photo_study("detection",
-                  "[detector]\nrecall_near = 1.0\nrecall_far = 1.0\nedge_sigma = 0.0\noutlier_rate = 0.0\n" + detector);
+  const Study study = photo_study(
+      "detection", "[detector]\nrecall_near = 1.0\nrecall_far = 1.0\nedge_sigma = 0.0\noutlier_rate = 0.0\n");
   const auto columns = columns_of(study, {0, 200});
   for (std::size_t t = 0; t < 200; ++t) {
     CHECK(columns[0].status[t] == 0);
@@ -133,8 +136,8 @@ TEST_CASE("a perfect detector misses nothing and errs by nothing") {
 }
 
 TEST_CASE("what a map never shows is refused with what was asked for") {
-  const Study study = photo_study(
-      "detection", "[object]\nleast_detections = 12\n[building]\nmap = { random = 1, objects = 5 }\n" + detector);
+  const Study study =
+      photo_study("detection", "[object]\nleast_detections = 12\n[building]\nmap = { random = 1, objects = 5 }\n");
   CHECK(tests::error_of_block(study).find("none shows an object with object.object_class = \"any\", object.distance = "
                                           "\"any\" and 12 detections") != std::string::npos);
 }

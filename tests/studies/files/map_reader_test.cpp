@@ -10,6 +10,7 @@
 #include "studies/files/map_reader.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/files/study_writer.hpp"
+#include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace ridgeloc;

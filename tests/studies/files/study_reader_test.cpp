@@ -10,6 +10,7 @@
 #include "sim/range_noise.hpp"
 #include "studies/files/study_writer.hpp"
 #include "studies/plan/plan.hpp"
+#include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace ridgeloc;

@@ -115,7 +115,7 @@ TEST_CASE("starts all over the map are drawn as tiles, each of one kind") {
 }
 
 TEST_CASE("a replay of a detection tells what the block reports of it") {
-  const Study study = photo_study("detection", "[[method]]\nsolver = \"detector\"\n");
+  const Study study = photo_study("detection", "");
   const auto columns = columns_of(study, {0, 60});
   const auto in_block = [&](const char* name, std::uint64_t t) {
     return columns[0].metrics[metric_of(study, name)][t];
@@ -125,8 +125,8 @@ TEST_CASE("a replay of a detection tells what the block reports of it") {
     CAPTURE(trial);
     const Replay replay = replay_of(study, trial);
     const auto& object = table_of(replay.scene, "object");
-    REQUIRE(replay.methods.size() == 1);
-    const auto& outcome = table_of(replay.methods[0].tables, "outcome");
+    CHECK(replay.methods.empty());
+    const auto& outcome = table_of(replay.scene, "outcome");
     CHECK(real_of(object, 0, "true_range_m") == in_block("range_m", trial));
     CHECK(count_of(table_of(replay.scene, "camera"), 0, "visible") >= 3);
     const bool found = columns[0].status[trial] == 0;

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "studies/files/study_reader.hpp"
+#include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace ridgeloc;

@@ -4,6 +4,7 @@
 
 #include "studies/files/study_reader.hpp"
 #include "studies/plan/assignment.hpp"
+#include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace ridgeloc;

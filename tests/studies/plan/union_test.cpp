@@ -6,6 +6,7 @@
 #include "studies/files/study_reader.hpp"
 #include "studies/files/study_writer.hpp"
 #include "studies/plan/plan.hpp"
+#include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace ridgeloc;

@@ -12,7 +12,9 @@
 #include "studies/files/study_reader.hpp"
 #include "studies/plan/assignment.hpp"
 #include "studies/plan/plan.hpp"
+#include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/simulation.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -26,8 +28,7 @@ std::vector<results::Row> first_block(const Study& study, core::Isa isa = core::
   results::BlockMethods methods = results::all_methods(plan.header);
   methods.differences.clear();
   results::BlockSink sink(plan.header, 0, 0, range.count, std::move(methods));
-  const auto workspace = study.experiment->make_workspace(plan.isa);
-  study.experiment->run_block(study.seed, plan.cells[0], study.methods, range, *workspace, sink);
+  tests::PreparedCell(study, plan.cells[0], plan.isa).run(range, sink);
   return sink.take_rows();
 }
 

@@ -10,7 +10,9 @@
 #include "results/blocks/block.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/plan/plan.hpp"
+#include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/simulation.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -46,8 +48,7 @@ Study study(const std::string& scene) {
 
 Replay replay(const Study& s, std::uint64_t trial, core::Isa isa = core::best_isa()) {
   const Plan plan = make_plan(s, isa);
-  const auto workspace = s.experiment->make_workspace(isa);
-  return s.experiment->replay(s.seed, plan.cells[0], s.methods, trial, *workspace);
+  return tests::PreparedCell(s, plan.cells[0], isa).replay(trial);
 }
 
 /// What a whole block reports of its trials, by method.
@@ -55,8 +56,7 @@ std::vector<results::TrialColumns> block(const Study& s, std::uint64_t number, c
   const Plan plan = make_plan(s, isa);
   const TrialRange range{number * plan.header.block_trials, plan.header.block_trials};
   results::BlockSink sink(plan.header, 0, number, range.count);
-  const auto workspace = s.experiment->make_workspace(isa);
-  s.experiment->run_block(s.seed, plan.cells[0], s.methods, range, *workspace, sink);
+  tests::PreparedCell(s, plan.cells[0], isa).run(range, sink);
   return sink.take_columns();
 }
 

@@ -9,6 +9,7 @@
 #include "results/store/result_file.hpp"
 #include "results/store/result_merge.hpp"
 #include "studies/files/study_reader.hpp"
+#include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
@@ -53,7 +54,7 @@ similarity = 0.7
 RunOutcome run(const Study& s, const fs::path& output, int threads, const std::atomic<bool>& stop = never) {
   RunProgress progress;
   const Plan plan = make_plan(s);
-  return run_study(s, plan, everything(plan), output, threads, {}, progress, stop);
+  return run_study(s, plan, everything(plan), output, *thread_queue(threads), {}, progress, stop);
 }
 
 }  // namespace
@@ -93,7 +94,8 @@ TEST_CASE("a stopped run is taken up where it stopped, and ends in the same byte
     while (progress.blocks_done.load() < 3 && !done.stop_requested()) std::this_thread::yield();
     stop.store(true);
   });
-  const RunOutcome first = run_study(s, plan, everything(plan), folder / "stopped.h5", 1, {}, progress, stop);
+  const RunOutcome first =
+      run_study(s, plan, everything(plan), folder / "stopped.h5", *thread_queue(1), {}, progress, stop);
   watcher.request_stop();
   watcher.join();
   REQUIRE_FALSE(first.sealed);
@@ -130,7 +132,8 @@ TEST_CASE("a result topped up in any steps, or merged from shares, holds the sam
       shares.push_back(folder / ("share" + std::to_string(number) + ".h5").c_str());
       fs::remove(shares.back());
       RunProgress progress;
-      run_study(s, plan, assignment_of(plan, plan, {number, count}), shares.back(), 2, {}, progress, never);
+      run_study(s, plan, assignment_of(plan, plan, {number, count}), shares.back(), *thread_queue(2), {}, progress,
+                never);
     }
     fs::remove(folder / "merged.h5");
     results::merge_results(shares, folder / "merged.h5", plan.header, {});
@@ -157,7 +160,8 @@ solver = "rrr"
   const Plan plan = make_plan(wide);
   run(narrow, folder / "grown.h5", 2);
   RunProgress progress;
-  const RunOutcome outcome = run_study(wide, plan, everything(plan), folder / "grown.h5", 2, {}, progress, never);
+  const RunOutcome outcome =
+      run_study(wide, plan, everything(plan), folder / "grown.h5", *thread_queue(2), {}, progress, never);
   CHECK(outcome.sealed);
   CHECK(outcome.blocks_run == 12);  // cells that are there lack a method and its difference to the first
   CHECK(results::data_digest(folder / "grown.h5") == results::data_digest(folder / "whole.h5"));

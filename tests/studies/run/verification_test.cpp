@@ -5,7 +5,9 @@
 #include "results/blocks/block.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/plan/assignment.hpp"
+#include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/simulation.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -28,9 +30,7 @@ solver = "rrr"
   std::vector<results::Row> rows_of(const BlockNumber& where) const {
     const TrialRange range = everything(plan).range(where.block);
     results::BlockSink sink(plan.header, where.cell, where.block, range.count);
-    const auto workspace = study.experiment->make_workspace(plan.isa);
-    study.experiment->run_block({study.seed, study.audit}, plan.cells[where.cell], study.methods, range, *workspace,
-                                sink);
+    tests::PreparedCell(study, plan.cells[where.cell], plan.isa, study.audit).run(range, sink);
     return sink.take_rows();
   }
 };
@@ -48,7 +48,7 @@ TEST_CASE("blocks that are what the ledger says are found equal, and a wrong dig
     }
   }
   for (const int threads : {1, 2}) {
-    const auto differences = differing_blocks(computed.study, computed.plan, ledger, blocks, threads);
+    const auto differences = differing_blocks(computed.study, computed.plan, ledger, blocks, *thread_queue(threads));
     REQUIRE(differences.size() == 1);
     CHECK(differences[0].where == BlockNumber{0, 2});
     CHECK(differences[0].method == 1);

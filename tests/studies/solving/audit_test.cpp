@@ -12,7 +12,10 @@
 #include "solvers/solver.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/plan/plan.hpp"
+#include "studies/registry.hpp"
+#include "studies/study/capabilities.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/simulation.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -38,8 +41,7 @@ solver = "linear"
 std::vector<results::Row> block(const Study& s, core::Isa isa, TrialRange range) {
   const Plan plan = make_plan(s, isa);
   results::BlockSink sink(plan.header, 0, 0, range.count);
-  const auto workspace = s.experiment->make_workspace(isa);
-  s.experiment->run_block({s.seed, s.audit}, plan.cells[0], s.methods, range, *workspace, sink);
+  tests::PreparedCell(s, plan.cells[0], isa, s.audit).run(range, sink);
   return sink.take_rows();
 }
 
@@ -75,7 +77,7 @@ struct Solved {
     for (std::size_t axis = 0; axis < 3; ++axis) oracle.truth[axis] = truth[axis];
     Audit audit(problems, oracle, std::move(slots));
     Audit::Columns result;
-    audit.fill("ols", options, solutions, result);
+    REQUIRE(audit.fill("ols", options, solutions, NoMonitor(), result));
     return result;
   }
   std::size_t converged() const {
@@ -123,7 +125,7 @@ TEST_CASE("an audit adds metrics and changes nothing else, on any instruction se
       const auto& metrics = rows[method].statistics.metrics;
       CHECK(rows[method].statistics.events == plain[method].statistics.events);
       for (std::size_t m = 0; m < first; ++m) CHECK(metrics[m] == plain[method].statistics.metrics[m]);
-      const std::size_t end = first + with.experiment->audit_metrics();
+      const std::size_t end = first + audit_metrics_of(*with.experiment);
       for (std::size_t m = first; m < end; ++m) CHECK(plain[method].statistics.metrics[m].moments.n == 0);
       for (std::size_t m = end; m < metrics.size(); ++m) CHECK(metrics[m] == plain[method].statistics.metrics[m]);
       CHECK(metrics[index_of("ref_converged")].moments.n == audited);

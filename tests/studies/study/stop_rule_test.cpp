@@ -11,7 +11,9 @@
 #include "results/store/result_file.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/files/study_writer.hpp"
+#include "studies/registry.hpp"
 #include "studies/run/runner.hpp"
+#include "studies/study/capabilities.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
@@ -60,7 +62,7 @@ struct File {
 RunOutcome run(const Study& s, const fs::path& output, int threads, const std::atomic<bool>& stop,
                RunProgress& progress) {
   const Plan plan = make_plan(s);
-  return run_study(s, plan, everything(plan), output, threads, {}, progress, stop);
+  return run_study(s, plan, everything(plan), output, *thread_queue(threads), {}, progress, stop);
 }
 
 /// The digest of a result whose run was stopped after so many blocks, and went on with other threads.
@@ -174,7 +176,7 @@ TEST_CASE("a limit of the cost is spent in the same way by any threads, interrup
   const auto cost = [&](std::size_t cell) {
     double sum = 0.0;
     for (std::size_t method = 0; method < 2; ++method)
-      sum += s.experiment->cost(make_plan(s).cells[cell].values, summary.of(cell, method));
+      sum += cost_of(*s.experiment, make_plan(s).cells[cell].values, summary.of(cell, method));
     return sum;
   };
   double spent = 0.0;
