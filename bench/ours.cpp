@@ -91,7 +91,7 @@ std::vector<Answer> least_squares_minima(const core::ProblemBatch& problems) {
   options.step_tolerance_m = minimum_tolerance_m;
   options.max_iterations = minimum_max_iterations;
   core::SolutionBatch solutions;
-  solvers::find_solver("ols")->solve(problems, options, nullptr, solutions);
+  solvers::solver_named("ols").solve(problems, options, nullptr, solutions);
   return answers_of(solutions);
 }
 

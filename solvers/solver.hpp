@@ -42,6 +42,9 @@ std::span<const SolverEntry> solver_registry();
 /// The solver of that name, or null.
 const SolverEntry* find_solver(std::string_view name);
 
+/// The solver of that name, which a study that was read has checked. Throws core::InputError where there is none.
+const SolverEntry& solver_named(std::string_view name);
+
 /// An estimator of the ridge parameter as users see it; its index is `SolverOptions::k`.
 struct KEstimatorEntry {
   std::string_view name;

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
+#include "core/error.hpp"
 #include "solvers/estimators/k_registry.hpp"
 #include "solvers/kernels/kernels.hpp"
 #include "solvers/solver.hpp"
@@ -54,6 +56,17 @@ const SolverEntry* find_solver(std::string_view name) {
   const auto registry = solver_registry();
   const auto found = std::ranges::find(registry, name, &SolverEntry::name);
   return found == registry.end() ? nullptr : &*found;
+}
+
+const SolverEntry& solver_named(std::string_view name) {
+  const SolverEntry* const entry = find_solver(name);
+  if (entry != nullptr) return *entry;
+  std::string known;
+  for (const SolverEntry& other : solver_registry()) {
+    known += known.empty() ? "" : ", ";
+    known += other.name;
+  }
+  throw core::InputError("there is no solver \"" + std::string(name) + "\"; one of: " + known);
 }
 
 std::span<const KEstimatorEntry> k_estimator_registry() {

@@ -1,6 +1,7 @@
 #include "solvers/kernels/trace.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -11,6 +12,7 @@
 #include "solvers/kernels/solve_batch.hpp"
 #include "solvers/methods/methods.hpp"
 #include "solvers/models/models.hpp"
+#include "solvers/solver.hpp"
 
 namespace ridgeloc::solvers {
 
@@ -96,21 +98,18 @@ std::vector<TracedIterate> trace_solver(const core::ProblemBatch& problems, std:
   return iterates;
 }
 
-template <std::size_t... I>
-Tracer find_tracer(std::string_view solver, std::index_sequence<I...>) {
-  Tracer found = nullptr;
-  (void)((std::tuple_element_t<I, Methods>::name == solver &&
-          (found = trace_solver<std::tuple_element_t<I, Methods>>, true)) ||
-         ...);
-  return found;
+/// In the order of `solver_registry()`.
+constexpr auto tracers = []<std::size_t... I>(std::index_sequence<I...>) {
+  return std::array<Tracer, sizeof...(I)>{trace_solver<std::tuple_element_t<I, Methods>>...};
 }
+(std::make_index_sequence<std::tuple_size_v<Methods>>{});
 
 }  // namespace
 
 std::vector<TracedIterate> trace(std::string_view solver, const core::ProblemBatch& problems, std::size_t trial,
                                  const SolverOptions& options, const core::Oracle* oracle) {
-  const Tracer tracer = find_tracer(solver, std::make_index_sequence<std::tuple_size_v<Methods>>{});
-  return tracer(problems, trial, options, oracle);
+  const auto index = &solver_named(solver) - solver_registry().data();
+  return tracers[static_cast<std::size_t>(index)](problems, trial, options, oracle);
 }
 
 }  // namespace ridgeloc::solvers

@@ -32,8 +32,8 @@ struct TracedIterate {
 /// Solves one trial over `double` and tells every iterate, from where the solver begins to its estimate: the last is,
 /// bit for bit, what `SolverEntry::solve` answers.
 ///
-/// Slow beside a solver, and allocates. Thread safe. Preconditions: the solver is one of `solver_registry()`; `trial`
-/// is a slot of the batch and, where there is one, of the oracle.
+/// Slow beside a solver, and allocates. Thread safe. Throws core::InputError where `solver_registry()` has no such
+/// solver. Precondition: `trial` is a slot of the batch and, where there is one, of the oracle.
 std::vector<TracedIterate> trace(std::string_view solver, const core::ProblemBatch& problems, std::size_t trial,
                                  const SolverOptions& options, const core::Oracle* oracle);
 

@@ -41,7 +41,7 @@ void finish(const PhotoRecord& photo, PhotoOutcome& outcome) {
 
 bool locate(const sim::BuildingMap& map, const Method& method, const solvers::SolverOptions& options,
             const Monitor& monitor, BuildingScratch& scratch) {
-  const solvers::Solver solve = solvers::find_solver(method.solver)->kernel(scratch.isa);
+  const solvers::Solver solve = solvers::solver_named(method.solver).kernel(scratch.isa);
   scratch.ends.assign(scratch.starts.size(), {});
   for (const StartGroup& group : scratch.groups) {
     if (group.starts.empty()) continue;

@@ -184,7 +184,7 @@ Replay replay_ranging(std::uint64_t seed, const Cell& cell, std::span<const Meth
   core::SolutionBatch packed;
   for (const Method& method : methods) {
     const solvers::SolverOptions options = solver_options(cell.values, method.given);
-    const solvers::SolverEntry& entry = *solvers::find_solver(method.solver);
+    const solvers::SolverEntry& entry = solvers::solver_named(method.solver);
     core::SolutionBatch& solution = scratch.solutions;
     entry.solve(problems, options, &oracle, solution);
     entry.kernel(scratch.isa)(lanes.problems, options, &lanes.oracle, packed);

@@ -31,7 +31,7 @@ struct PreparedMethod {
   PreparedMethod(const Method& given, const RangingCell& settings, const Values& cell, double audit)
       : method(given),
         options(solver_options(cell, given.given)),
-        entry(*solvers::find_solver(given.solver)),
+        entry(solvers::solver_named(given.solver)),
         is_audited(audit > 0.0 && Audit::covers(given.solver, options)) {
     const auto read = settings_read_by(given.solver);
     reads_k = std::ranges::find(read, "k") != read.end();

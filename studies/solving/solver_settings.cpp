@@ -145,8 +145,8 @@ std::vector<std::string> solver_names() {
 
 std::vector<std::string> settings_read_by(std::string_view solver) {
   std::vector<std::string> names = common_solver_settings();
-  const solvers::SolverEntry* entry = solvers::find_solver(solver);
-  if (entry != nullptr) names.insert(names.end(), entry->options.begin(), entry->options.end());
+  const auto own = solvers::solver_named(solver).options;
+  names.insert(names.end(), own.begin(), own.end());
   return names;
 }
 

@@ -23,7 +23,7 @@ class List {
   void add(const char* solver, const std::string& name, F change) {
     SolverOptions options = basic_options();
     change(options);
-    choices.push_back({solvers::find_solver(solver), options, solver + (" " + name)});
+    choices.push_back({&solvers::solver_named(solver), options, solver + (" " + name)});
   }
 };
 

@@ -34,7 +34,7 @@ inline core::ProblemBatch axes_problem(double e_x, double e_y, double e_z) {
 inline core::SolutionBatch solve(const char* solver, const core::ProblemBatch& problems,
                                  const solvers::SolverOptions& options = {}, const core::Oracle* oracle = nullptr) {
   core::SolutionBatch solutions;
-  const solvers::SolverEntry& entry = *solvers::find_solver(solver);
+  const solvers::SolverEntry& entry = solvers::solver_named(solver);
   entry.solve(problems, options, oracle, solutions);
   // What is found out by hand about the double path holds for the kernels of the baseline, which give the same bits.
   core::SolutionBatch packed;

@@ -268,7 +268,7 @@ TEST_CASE("kernels answer every trial of a batch of any size, and of an empty on
     for (const core::Isa isa : supported()) {
       const Batch batch(4, size);
       core::SolutionBatch out;
-      solvers::find_solver("rrr")->kernel(isa)(batch.problems, {}, &batch.oracle, out);
+      solvers::solver_named("rrr").kernel(isa)(batch.problems, {}, &batch.oracle, out);
       CHECK(out.trials() == size);
       CHECK(std::ranges::count(out.status, static_cast<std::uint8_t>(core::Status::NotRun)) == 0);
     }

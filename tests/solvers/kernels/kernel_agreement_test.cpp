@@ -90,7 +90,7 @@ TEST_CASE("fused and plain arithmetic agree but for trials that amplify rounding
   // Such trials pass near a singular matrix: at most one in 10^4 for 5 and 7 points.
   for (const std::size_t points : {5, 7}) {
     for (const char* name : {"ols", "lm", "rr", "rrr"}) {
-      CHECK(share_differing(*solvers::find_solver(name), {}, name, points, 1'000'000) <= 1e-4);
+      CHECK(share_differing(solvers::solver_named(name), {}, name, points, 1'000'000) <= 1e-4);
     }
   }
 }

@@ -230,7 +230,7 @@ v_mode = "fixed"
       for (std::size_t axis = 0; axis < 3; ++axis) oracle.truth[axis] = group.truth[axis];
       oracle.image_distance = group.image_distance;
       core::SolutionBatch solutions;
-      solvers::find_solver(method.solver)->solve(group.problems, options, &oracle, solutions);
+      solvers::solver_named(method.solver).solve(group.problems, options, &oracle, solutions);
       std::vector<std::size_t> slots(group.starts.size());
       for (std::size_t t = 0; t < slots.size(); ++t) slots[t] = t;
       Audit audit(group.problems, oracle, slots);

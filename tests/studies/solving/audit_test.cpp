@@ -69,7 +69,7 @@ struct Solved {
     for (auto& axis : truth) axis.assign(trials, 0.0);
     options.step_tolerance_m = 1e-9;
     options.max_iterations = 1000;
-    solvers::find_solver("ols")->solve(problems, options, nullptr, solutions);
+    solvers::solver_named("ols").solve(problems, options, nullptr, solutions);
   }
 
   Audit::Columns columns(std::vector<std::size_t> slots) const {
