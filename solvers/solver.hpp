@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -13,12 +15,59 @@
 
 namespace ridgeloc::solvers {
 
+/// A solver without state.
+using SolverFunction = void (*)(const core::ProblemBatch& problems, const SolverOptions& options,
+                                const core::Oracle* oracle, core::SolutionBatch& out);
+
 /// Solves every problem of a batch. The only contract a solver has: no logging, no exception, no allocation beyond
 /// growing `out` and two buffers that each thread keeps (a queue of about 70 to 130 bytes for each trial of the largest
 /// batch, and room for the weights of irls); a numerical failure is a status. `oracle` is null outside simulations.
 /// Thread safe.
-using Solver = void (*)(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
-                        core::SolutionBatch& out);
+///
+/// A function, or one that is called with state: a value of three pointers, called once a batch. It owns nothing. State
+/// must outlive every copy of the solver, which for one in a registry means the program; it is constant, and the
+/// threads of a run call it at once. Answers may depend on problems, options and oracle alone, or no result can be
+/// computed again.
+class Solver {
+ public:
+  /// None, for kernels that cannot run. May not be called.
+  constexpr Solver() = default;
+  constexpr Solver(SolverFunction function) : function_(function) {}
+
+  /// Calls `state(problems, options, oracle, out)`.
+  template <class State>
+  requires std::invocable<const State&, const core::ProblemBatch&, const SolverOptions&, const core::Oracle*,
+                          core::SolutionBatch&>
+  static constexpr Solver with_state(const State& state) {
+    return Solver(std::addressof(state),
+                  [](const void* own, const core::ProblemBatch& problems, const SolverOptions& options,
+                     const core::Oracle* oracle,
+                     core::SolutionBatch& out) { (*static_cast<const State*>(own))(problems, options, oracle, out); });
+  }
+  template <class State>
+  static Solver with_state(const State&&) = delete;  // would not live long enough
+
+  explicit constexpr operator bool() const { return function_ != nullptr || stateful_ != nullptr; }
+
+  void operator()(const core::ProblemBatch& problems, const SolverOptions& options, const core::Oracle* oracle,
+                  core::SolutionBatch& out) const {
+    if (stateful_ != nullptr) {
+      stateful_(state_, problems, options, oracle, out);
+    } else {
+      function_(problems, options, oracle, out);
+    }
+  }
+
+ private:
+  using StatefulFunction = void (*)(const void* state, const core::ProblemBatch& problems, const SolverOptions& options,
+                                    const core::Oracle* oracle, core::SolutionBatch& out);
+
+  constexpr Solver(const void* state, StatefulFunction function) : stateful_(function), state_(state) {}
+
+  SolverFunction function_ = nullptr;
+  StatefulFunction stateful_ = nullptr;
+  const void* state_ = nullptr;
+};
 
 /// A solver as users see it.
 struct SolverEntry {
@@ -26,7 +75,7 @@ struct SolverEntry {
   std::string_view summary;
   std::span<const std::string_view> options;    ///< names of the settings that it reads besides the common ones
   Solver solve;                                 ///< in double, one trial at a time: the reference
-  std::array<Solver, core::isa_count> kernels;  ///< several trials at a time; null where they cannot run
+  std::array<Solver, core::isa_count> kernels;  ///< several trials at a time; none where they cannot run
 
   Solver kernel(core::Isa isa) const { return kernels[static_cast<std::size_t>(isa)]; }
 };

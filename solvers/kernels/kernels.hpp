@@ -36,7 +36,7 @@ void solve(const core::ProblemBatch& problems, const SolverOptions& options, con
 }
 
 /// All methods, in their order.
-using SolverTable = std::array<Solver, std::tuple_size_v<Methods>>;
+using SolverTable = std::array<SolverFunction, std::tuple_size_v<Methods>>;
 
 /// What is compiled for each instruction set.
 struct Kernels {
