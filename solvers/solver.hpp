@@ -11,6 +11,7 @@
 #include "core/isa.hpp"
 #include "core/problem.hpp"
 #include "core/solution.hpp"
+#include "solvers/objective.hpp"
 #include "solvers/options.hpp"
 
 namespace ridgeloc::solvers {
@@ -69,13 +70,17 @@ class Solver {
   const void* state_ = nullptr;
 };
 
-/// A solver as users see it.
+/// A solver as users see it, and all that others may know of it.
 struct SolverEntry {
   std::string_view name;
   std::string_view summary;
-  std::span<const std::string_view> options;    ///< names of the settings that it reads besides the common ones
-  Solver solve;                                 ///< in double, one trial at a time: the reference
-  std::array<Solver, core::isa_count> kernels;  ///< several trials at a time; none where they cannot run
+  std::span<const std::string_view> options;  ///< names of the settings that it reads besides the common ones
+  bool has_k;                                 ///< steps have a ridge parameter, so that similarities are recorded
+  bool is_least_squares;                      ///< a converged estimate is the least-squares minimum, where it stops
+  void (*adjust)(SolverOptions& options);     ///< fixes the settings that it does not leave to the user
+  Objective (*objective)(const SolverOptions& adjusted);  ///< what it minimises
+  Solver solve;                                           ///< in double, one trial at a time: the reference
+  std::array<Solver, core::isa_count> kernels;            ///< several trials at a time; none where they cannot run
 
   Solver kernel(core::Isa isa) const { return kernels[static_cast<std::size_t>(isa)]; }
 };

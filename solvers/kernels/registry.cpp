@@ -31,14 +31,24 @@ const std::array<Kernels, core::isa_count>& kernels_by_isa() {
   return kernels_of_program;
 }
 
+template <std::size_t I>
+SolverEntry make_entry() {
+  using Class = std::tuple_element_t<I, Methods>;
+  const auto& by_isa = kernels_by_isa();
+  return {.name = Class::name,
+          .summary = Class::summary,
+          .options = Class::option_names,
+          .has_k = HasK<Class>,
+          .is_least_squares = Class::is_least_squares,
+          .adjust = Class::adjust,
+          .objective = Class::objective,
+          .solve = solve<double, I>,
+          .kernels = {by_isa[0].solvers[I], by_isa[1].solvers[I], by_isa[2].solvers[I]}};
+}
+
 template <std::size_t... I>
 std::array<SolverEntry, sizeof...(I)> make_registry(std::index_sequence<I...>) {
-  const auto& by_isa = kernels_by_isa();
-  return {SolverEntry{std::tuple_element_t<I, Methods>::name,
-                      std::tuple_element_t<I, Methods>::summary,
-                      std::tuple_element_t<I, Methods>::option_names,
-                      solve<double, I>,
-                      {by_isa[0].solvers[I], by_isa[1].solvers[I], by_isa[2].solvers[I]}}...};
+  return {make_entry<I>()...};
 }
 
 }  // namespace

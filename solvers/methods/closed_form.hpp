@@ -9,6 +9,7 @@
 #include "solvers/models/least_squares.hpp"
 #include "solvers/models/observation.hpp"
 #include "solvers/models/weight.hpp"
+#include "solvers/objective.hpp"
 
 /// Positions without iterating. With x counted from the start x_0 and q = |x|^2, an observation reads
 ///   2 p_i'x + alpha_i V = |p_i|^2 - rho_i + q,   V = v^2   (ranges: no V, rho_i = m_i^2),
@@ -137,12 +138,18 @@ struct Linear : SingleVariant<Direct<false>> {
   static constexpr std::string_view name = "linear";
   static constexpr std::string_view summary = "closed form: lifted linear least squares, needs n > p";
   static constexpr std::array<std::string_view, 0> option_names{};
+  static constexpr bool is_least_squares = false;
+  static Objective objective(const SolverOptions&) { return Objective::none("least squares in (x, V, q), not in x"); }
 };
 
 struct Bancroft : SingleVariant<Direct<true>> {
   static constexpr std::string_view name = "bancroft";
   static constexpr std::string_view summary = "closed form: Bancroft's quadratic";
   static constexpr std::array<std::string_view, 0> option_names{};
+  static constexpr bool is_least_squares = false;
+  static Objective objective(const SolverOptions&) {
+    return Objective::none("a root of the equations that least squares in (x, V) leaves");
+  }
 };
 
 }  // namespace ridgeloc::solvers

@@ -7,6 +7,7 @@
 #include "solvers/methods/step.hpp"
 #include "solvers/models/least_squares.hpp"
 #include "solvers/models/weight.hpp"
+#include "solvers/objective.hpp"
 
 namespace ridgeloc::solvers {
 
@@ -85,6 +86,8 @@ struct Dogleg : SingleVariant<TrustRegionDogleg> {
   static constexpr std::string_view name = "dogleg";
   static constexpr std::string_view summary = "Powell's dogleg in a trust region";
   static constexpr std::array<std::string_view, 1> option_names = {"trust_radius_m"};
+  static constexpr bool is_least_squares = true;
+  static Objective objective(const SolverOptions&) { return ReferenceLoss::WeightedSquares; }
 };
 
 }  // namespace ridgeloc::solvers

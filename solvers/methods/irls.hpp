@@ -11,6 +11,7 @@
 #include "solvers/methods/step.hpp"
 #include "solvers/models/least_squares.hpp"
 #include "solvers/models/weight.hpp"
+#include "solvers/objective.hpp"
 
 namespace ridgeloc::solvers {
 
@@ -97,6 +98,8 @@ struct Irls : SingleVariant<Reweighting> {
   static constexpr std::string_view name = "irls";
   static constexpr std::string_view summary = "iteratively reweighted least squares: a robust M-estimator";
   static constexpr std::array<std::string_view, 4> option_names = {"weight", "tuning", "scale", "scale_m"};
+  static constexpr bool is_least_squares = false;
+  static Objective objective(const SolverOptions&) { return ReferenceLoss::Reweighted; }
 };
 
 }  // namespace ridgeloc::solvers

@@ -9,6 +9,7 @@
 #include "solvers/methods/step.hpp"
 #include "solvers/models/least_squares.hpp"
 #include "solvers/models/weight.hpp"
+#include "solvers/objective.hpp"
 
 namespace ridgeloc::solvers {
 
@@ -60,6 +61,8 @@ struct LevenbergMarquardt : SolverDefaults {
   static constexpr std::string_view summary =
       "Levenberg-Marquardt: damped after a rejected step, always, or as MINPACK";
   static constexpr std::array<std::string_view, 1> option_names = {"lm_variant"};
+  static constexpr bool is_least_squares = true;
+  static Objective objective(const SolverOptions&) { return ReferenceLoss::WeightedSquares; }
   using Variants = std::tuple<Damped<true>, Damped<false>, More>;
   static std::size_t variant(const SolverOptions& options) { return static_cast<std::size_t>(options.lm_variant); }
 };

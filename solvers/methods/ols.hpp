@@ -6,6 +6,7 @@
 #include "solvers/methods/step.hpp"
 #include "solvers/models/least_squares.hpp"
 #include "solvers/models/weight.hpp"
+#include "solvers/objective.hpp"
 
 namespace ridgeloc::solvers {
 
@@ -35,6 +36,8 @@ struct Ols : SingleVariant<GaussNewton> {
   static constexpr std::string_view name = "ols";
   static constexpr std::string_view summary = "Gauss-Newton least squares";
   static constexpr std::array<std::string_view, 0> option_names{};
+  static constexpr bool is_least_squares = true;
+  static Objective objective(const SolverOptions&) { return ReferenceLoss::WeightedSquares; }
 };
 
 /// The same with what is known of the image distance, whatever `options.v_mode` says.
@@ -42,6 +45,8 @@ struct PriorGaussNewton : SingleVariant<GaussNewton> {
   static constexpr std::string_view name = "gn_prior";
   static constexpr std::string_view summary = "Gauss-Newton with a prior on the image distance";
   static constexpr std::array<std::string_view, 0> option_names{};
+  static constexpr bool is_least_squares = false;  ///< the prior draws v away, and x with it
+  static Objective objective(const SolverOptions&) { return ReferenceLoss::WeightedSquares; }
   static void adjust(SolverOptions& options) { options.v_mode = VMode::Prior; }
 };
 

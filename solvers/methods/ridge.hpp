@@ -9,6 +9,7 @@
 #include "solvers/methods/step.hpp"
 #include "solvers/models/least_squares.hpp"
 #include "solvers/models/weight.hpp"
+#include "solvers/objective.hpp"
 
 namespace ridgeloc::solvers {
 
@@ -156,6 +157,10 @@ struct RidgeMethod : MethodDefaults {
 /// Ridge regression, or robust ridge regression.
 template <bool robust>
 struct Ridge : SolverDefaults {
+  /// Where the iteration rests it is a minimum of squares, but K may bring it to the stop rule long before.
+  static constexpr bool is_least_squares = false;
+  static constexpr Objective anchored = Objective::none("pulls to the start: biased on purpose");
+
   using Variants = std::tuple<RidgeMethod<robust, RidgeKind::Paper>, RidgeMethod<robust, RidgeKind::Plain>,
                               RidgeMethod<robust, RidgeKind::General>>;
   static std::size_t variant(const SolverOptions& o) {
@@ -173,6 +178,9 @@ struct RidgeRegression : Ridge<false> {
   static constexpr std::array<std::string_view, 11> option_names = {
       "k",   "k_fixed",  "similarity",    "k_error",      "k_error_draw", "ktrue",
       "eta", "ols_mode", "sigma2_source", "ridge_coords", "ridge_anchor"};
+  static Objective objective(const SolverOptions& o) {
+    return o.ridge_anchor == RidgeAnchor::Prior ? anchored : Objective(ReferenceLoss::WeightedSquares);
+  }
 };
 
 struct RobustRidgeRegression : Ridge<true> {
@@ -182,6 +190,13 @@ struct RobustRidgeRegression : Ridge<true> {
       "k",          "k_fixed",       "similarity",       "k_error",      "k_error_draw", "ktrue",
       "eta",        "ols_mode",      "sigma2_source",    "ridge_coords", "ridge_anchor", "theta_m",
       "irls_min_n", "irls_residual", "normalize_weights"};
+  static Objective objective(const SolverOptions& o) {
+    if (o.ridge_anchor == RidgeAnchor::Prior) return anchored;
+    if (o.normalize_weights == NormalizeWeights::On && o.v_mode == VMode::Prior)
+      return Objective::none("weighs residuals and the prior against each other anew at every iterate");
+    const Objective huber = ReferenceLoss::HuberTheta;
+    return o.irls_residual == IrlsResidual::Current ? huber : huber.not_binding();
+  }
 };
 
 }  // namespace ridgeloc::solvers

@@ -17,8 +17,8 @@
 ///   auto weights(model, u) const;   // its weights at u, for the remaining step
 ///
 /// A solver is one method, or several of which its options choose one: a class with `name`, `summary`, the names of the
-/// options that it reads besides the common ones, the type list `Variants`, their choice `variant(options)`, and
-/// `adjust(options)`.
+/// options that it reads besides the common ones, the type list `Variants`, their choice `variant(options)`,
+/// `adjust(options)`, and what it says of its estimates (declaration.hpp).
 namespace ridgeloc::solvers {
 
 /// What a method proposes at one iterate.

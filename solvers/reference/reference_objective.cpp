@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "solvers/reference/reference_trial.hpp"
-#include "solvers/solver.hpp"
 
 namespace ridgeloc::solvers {
 
@@ -22,38 +21,48 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
+/// The loss of a robust weight, whose scale `at_estimate` fills.
+std::optional<RobustLoss> robust_loss(const SolverOptions& options) {
+  if (options.weight >= weight_registry().size()) return std::nullopt;
+  const auto shape = find_loss_shape(weight_registry()[options.weight].name);
+  if (!shape) return std::nullopt;
+  const double tuning = options.tuning > 0.0 ? options.tuning : standard_tuning(*shape);
+  return RobustLoss{*shape, tuning, 1.0, floor_of_weights, 0.0};
+}
+
 }  // namespace
 
-std::optional<ReferenceObjective> reference_objective(std::string_view solver, const SolverOptions& options) {
+std::optional<ReferenceObjective> reference_objective(const Objective& said, const SolverOptions& options) {
   if (options.jacobian == Jacobian::Printed || options.residual == Residual::Quotient) return std::nullopt;
+  if (!said.loss()) return std::nullopt;
   ReferenceObjective objective;
+  objective.loss = *said.loss();
+  objective.binding = said.is_binding();
   objective.score_power = options.score_power;
-  objective.v_mode = solver == "gn_prior" ? VMode::Prior : options.v_mode;
+  objective.v_mode = options.v_mode;
   objective.z_mode = options.z_mode;
   objective.sigma_prior_m = options.sigma_prior_m;
-  const bool ridge = solver == "rr" || solver == "rrr";
-  if (ridge && options.ridge_anchor == RidgeAnchor::Prior) return std::nullopt;
-  if (solver == "ols" || solver == "gn_prior" || solver == "lm" || solver == "dogleg" || solver == "rr") {
-    return objective;
+  switch (objective.loss) {
+    case ReferenceLoss::WeightedSquares:
+      break;
+    case ReferenceLoss::HuberTheta:
+      objective.theta_m = options.theta_m;
+      objective.robust_from = options.irls_min_n;
+      break;
+    case ReferenceLoss::Reweighted:
+      const auto robust = robust_loss(options);
+      if (!robust) return std::nullopt;
+      objective.robust = *robust;
+      objective.fixed_scale_m = options.scale == Scale::Fixed ? options.scale_m : 0.0;
+      break;
   }
-  if (solver == "rrr") {
-    if (options.normalize_weights == NormalizeWeights::On && options.v_mode == VMode::Prior) return std::nullopt;
-    objective.loss = ReferenceLoss::HuberTheta;
-    objective.theta_m = options.theta_m;
-    objective.robust_from = options.irls_min_n;
-    objective.binding = options.irls_residual == IrlsResidual::Current;
-    return objective;
-  }
-  if (solver == "irls" && options.weight < weight_registry().size()) {
-    const auto shape = find_loss_shape(weight_registry()[options.weight].name);
-    if (!shape) return std::nullopt;
-    objective.loss = ReferenceLoss::Reweighted;
-    objective.robust = {*shape, options.tuning > 0.0 ? options.tuning : standard_tuning(*shape), 1.0, floor_of_weights,
-                        0.0};
-    objective.fixed_scale_m = options.scale == Scale::Fixed ? options.scale_m : 0.0;
-    return objective;
-  }
-  return std::nullopt;
+  return objective;
+}
+
+std::optional<ReferenceObjective> reference_objective(const SolverEntry& solver, const SolverOptions& options) {
+  SolverOptions own = options;
+  solver.adjust(own);
+  return reference_objective(solver.objective(own), own);
 }
 
 ReferenceObjective at_estimate(const ReferenceObjective& objective, const core::ProblemBatch& problems,

@@ -4,27 +4,16 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <string_view>
 
 #include "core/problem.hpp"
+#include "solvers/objective.hpp"
 #include "solvers/options.hpp"
 #include "solvers/reference/reference_loss.hpp"
+#include "solvers/solver.hpp"
 
 namespace ridgeloc::solvers {
 
-/// Which objective the reference minimises. Residuals e_i (m), scores s_i, n points, p unknowns.
-enum class ReferenceLoss {
-  /// 1/2 sum s_i^2 e_i^2, so W = diag(s_i^2): the objective of ols, gn_prior, lm, dogleg and rr.
-  WeightedSquares,
-  /// sum (s_i / theta) h(e_i) with Huber's h(e) = e^2 / 2 up to theta and theta (|e| - theta / 2) beyond, so
-  /// w_i = s_i / max(theta, |e_i|): the objective of rrr for n > p. For n <= p 1/2 sum s_i e_i^2, so w_i = s_i.
-  HuberTheta,
-  /// 1/2 sum s_i^2 rho(e_i^2) with rho of the robust weight, at a scale and a lift that are given: the objective of
-  /// irls.
-  Reweighted,
-};
-
-/// The objective of a solver. What the method does on its way (damping, K, scaling of columns) is no part of it.
+/// An objective with all that its name leaves open.
 struct ReferenceObjective {
   ReferenceLoss loss = ReferenceLoss::WeightedSquares;
   double theta_m = 0.05;                         ///< HuberTheta
@@ -42,12 +31,13 @@ struct ReferenceObjective {
   bool operator==(const ReferenceObjective&) const = default;
 };
 
-/// The objective that a solver with these options minimises, if it does minimise one:
-/// - linear and bancroft minimise something else, `jacobian = printed` and `residual = quotient` end where no objective
-///   is stationary, `ridge_anchor = prior` is biased on purpose, and `normalize_weights` with a prior on v weighs the
-///   two against each other anew at every iterate: none;
-/// - rrr with `irls_residual = ols` has that of rrr, not binding, since its weights are made elsewhere.
-std::optional<ReferenceObjective> reference_objective(std::string_view solver, const SolverOptions& options);
+/// What the reference minimises for an objective with these options, if it can: with `jacobian = printed` and
+/// `residual = quotient` nothing is stationary where any solver ends, and a robust weight may have a loss that the
+/// reference does not know.
+std::optional<ReferenceObjective> reference_objective(const Objective& objective, const SolverOptions& options);
+
+/// The same for what the solver says that it minimises, with the options as it adjusts them.
+std::optional<ReferenceObjective> reference_objective(const SolverEntry& solver, const SolverOptions& options);
 
 /// Where a trial stands.
 struct ReferencePlace {

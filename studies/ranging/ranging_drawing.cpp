@@ -111,7 +111,8 @@ void add_contours(const core::ProblemBatch& problems, const core::Oracle& oracle
   solvers::SolverOptions squares = shared;
   squares.jacobian = solvers::Jacobian::Exact;
   squares.residual = solvers::Residual::Range;
-  const Audit::Answers least = Audit(problems, oracle, {}).solve(0, *solvers::reference_objective("ols", squares));
+  const auto objective = *solvers::reference_objective(solvers::ReferenceLoss::WeightedSquares, squares);
+  const Audit::Answers least = Audit(problems, oracle, {}).solve(0, objective);
   solvers::ReferencePlace through({oracle.truth[0][0], oracle.truth[1][0], oracle.truth[2][0]});
   if (!oracle.image_distance.empty()) through.image_distance_mm = oracle.image_distance[0];
   const char* height_of = "that of the truth";

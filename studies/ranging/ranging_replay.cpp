@@ -160,7 +160,7 @@ class TrialTables {
 std::optional<Audit::Answers> reference_of(const Method& method, const solvers::SolverOptions& options,
                                            const Audit& audit, const core::ProblemBatch& problems,
                                            const core::SolutionBatch& solution) {
-  const auto objective = solvers::reference_objective(method.solver, options);
+  const auto objective = solvers::reference_objective(solvers::solver_named(method.solver), options);
   const bool converged = solution.status[0] == static_cast<std::uint8_t>(core::Status::Converged);
   if (!objective || (objective->loss == solvers::ReferenceLoss::Reweighted && !converged)) return std::nullopt;
   return audit.solve(

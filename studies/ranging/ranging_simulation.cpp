@@ -1,9 +1,7 @@
 #include "studies/ranging/ranging_simulation.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 #include <vector>
 
 #include "core/problem.hpp"
@@ -33,22 +31,14 @@ struct PreparedMethod {
         options(solver_options(cell, given.given)),
         entry(solvers::solver_named(given.solver)),
         is_audited(audit > 0.0 && Audit::covers(given.solver, options)) {
-    const auto read = settings_read_by(given.solver);
-    reads_k = std::ranges::find(read, "k") != read.end();
     const bool is_printed = options.jacobian == solvers::Jacobian::Printed;
-    has_nees = has_plain_noise(settings) && !settings.has_images && !is_printed && is_least_squares(given.solver);
-  }
-
-  /// Solvers whose estimates are the least-squares minimum, but for where they stop.
-  static bool is_least_squares(std::string_view solver) {
-    return solver == "ols" || solver == "lm" || solver == "dogleg";
+    has_nees = has_plain_noise(settings) && !settings.has_images && !is_printed && entry.is_least_squares;
   }
 
   Method method;
   solvers::SolverOptions options;
   const solvers::SolverEntry& entry;
   bool is_audited;
-  bool reads_k = false;
   bool has_nees = false;
 };
 
@@ -66,7 +56,7 @@ class RangingSimulation : public Simulation, public FailureRecount, public Trial
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       const PreparedMethod& method = methods_[m];
       if (!solve(method, oracle, scratch, monitor)) return false;
-      report_method(m, method.options, method.reads_k, scratch, sink);
+      report_method(m, method.options, method.entry.has_k, scratch, sink);
       if (method.has_nees) report_nees(m, settings_, scratch, sink);
       if (!method.is_audited) continue;
       if (!audit.fill(method.method.solver, method.options, scratch.solutions, monitor, scratch.audit)) return false;
@@ -84,7 +74,7 @@ class RangingSimulation : public Simulation, public FailureRecount, public Trial
     std::vector<FailureCounts> counts;
     for (const PreparedMethod& method : methods_) {
       method.entry.kernel(scratch.isa)(scratch.problems, method.options, &oracle, scratch.solutions);
-      const auto objective = solvers::reference_objective(method.method.solver, method.options);
+      const auto objective = solvers::reference_objective(method.entry, method.options);
       FailureCounts& count = counts.emplace_back();
       // The objective of irls is that of its last weights, and a failed trial has none that mean anything.
       count.has_reference = objective && objective->loss != solvers::ReferenceLoss::Reweighted;
@@ -134,7 +124,7 @@ class RangingSimulation : public Simulation, public FailureRecount, public Trial
     sink.metric(method, metric, scratch.values);
   }
 
-  static void report_method(std::size_t m, const solvers::SolverOptions& options, bool reads_k, RangingScratch& scratch,
+  static void report_method(std::size_t m, const solvers::SolverOptions& options, bool has_k, RangingScratch& scratch,
                             results::BlockSink& sink) {
     const core::SolutionBatch& s = scratch.solutions;
     constexpr double not_in_population = std::numeric_limits<double>::quiet_NaN();
@@ -172,7 +162,7 @@ class RangingSimulation : public Simulation, public FailureRecount, public Trial
     });
     report(m, Iterations, scratch, sink,
            [&](std::size_t t) { return converged(t) ? s.iterations[t] : static_cast<double>(options.max_iterations); });
-    if (reads_k) {
+    if (has_k) {
       sink.metric(m, EtaFirst, s.eta_first);
       sink.metric(m, EtaLast, s.eta_last);
       sink.metric(m, EtaMean, s.eta_mean);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/status.hpp"
+#include "solvers/solver.hpp"
 
 namespace ridgeloc::studies {
 
@@ -46,14 +47,14 @@ Audit::Audit(const core::ProblemBatch& problems, const core::Oracle& oracle, std
     : problems_(problems), oracle_(oracle), slots_(std::move(slots)) {}
 
 bool Audit::covers(std::string_view solver, const solvers::SolverOptions& options) {
-  return solvers::reference_objective(solver, options).has_value();
+  return solvers::reference_objective(solvers::solver_named(solver), options).has_value();
 }
 
 bool Audit::fill(std::string_view solver, const solvers::SolverOptions& options, const core::SolutionBatch& solutions,
                  const Monitor& monitor, Columns& columns) {
   for (std::vector<double>& column : columns) column.assign(slots_.size(), not_in_population);
   if (slots_.empty()) return true;
-  const auto objective = *solvers::reference_objective(solver, options);
+  const auto objective = *solvers::reference_objective(solvers::solver_named(solver), options);
   const bool of_estimate = objective.loss == solvers::ReferenceLoss::Reweighted;
   const AnswersOfSlots* shared = of_estimate ? nullptr : shared_answers(objective, monitor);
   if (!of_estimate && shared == nullptr) return false;

@@ -1,7 +1,5 @@
 #include "tests/support/all_methods.hpp"
 
-#include <algorithm>
-
 namespace ridgeloc::tests {
 
 namespace {
@@ -58,10 +56,9 @@ void add_ridge(List& list, const char* solver) {
 std::vector<MethodChoice> methods_by_k() {
   List list;
   for (const auto& entry : solvers::solver_registry()) {
-    const bool reads_k = std::ranges::find(entry.options, "k") != entry.options.end();
     const auto estimators = solvers::k_estimator_registry();
-    for (std::size_t k = 0; k < (reads_k ? estimators.size() : 1); ++k) {
-      list.add(entry.name.data(), reads_k ? std::string(estimators[k].name) : "", [k](SolverOptions& o) {
+    for (std::size_t k = 0; k < (entry.has_k ? estimators.size() : 1); ++k) {
+      list.add(entry.name.data(), entry.has_k ? std::string(estimators[k].name) : "", [k](SolverOptions& o) {
         o.k = k;
         o.k_true = k % 2 == 0 ? solvers::KTrue::Elem : solvers::KTrue::Gm;
       });

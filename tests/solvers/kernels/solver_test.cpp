@@ -5,11 +5,14 @@
 #include <type_traits>
 
 #include "core/status.hpp"
+#include "solvers/reference/reference_objective.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/hand_scene.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::tests;
+using solvers::Objective;
+using solvers::ReferenceLoss;
 using solvers::Solver;
 using solvers::SolverOptions;
 
@@ -34,9 +37,22 @@ void answer_origin(const core::ProblemBatch& problems, const SolverOptions& opti
   KnownPlace{{0, 0, 0}}(problems, options, oracle, out);
 }
 
+void keep_all(SolverOptions&) {}
+Objective nothing(const SolverOptions&) {
+  return Objective::none("answers what it was told");
+}
+
 /// Registered by hand, for every instruction set.
 solvers::SolverEntry entry_of(Solver solver) {
-  return {.name = "known", .summary = "one place", .options = {}, .solve = solver, .kernels = {solver, solver, solver}};
+  return {.name = "known",
+          .summary = "one place",
+          .options = {},
+          .has_k = false,
+          .is_least_squares = false,
+          .adjust = keep_all,
+          .objective = nothing,
+          .solve = solver,
+          .kernels = {solver, solver, solver}};
 }
 
 template <class State>
@@ -103,4 +119,18 @@ TEST_CASE("kernels that cannot run are none") {
       CHECK(static_cast<bool>(entry.kernel(isa)) == core::is_supported(isa));
     }
   }
+}
+
+TEST_CASE("the reference goes by what an entry says, whatever its name") {
+  const KnownPlace here{{1, 2, 3}};
+  auto entry = entry_of(Solver::with_state(here));
+  entry.name = "ols";
+  CHECK_FALSE(solvers::reference_objective(entry, {}));
+  entry.objective = [](const SolverOptions&) { return Objective(ReferenceLoss::HuberTheta).not_binding(); };
+  entry.adjust = [](SolverOptions& options) { options.theta_m = 0.25; };
+  const auto objective = solvers::reference_objective(entry, {});
+  REQUIRE(objective);
+  CHECK(objective->loss == ReferenceLoss::HuberTheta);
+  CHECK(objective->theta_m == 0.25);
+  CHECK_FALSE(objective->binding);
 }

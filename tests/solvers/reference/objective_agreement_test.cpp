@@ -38,7 +38,7 @@ void check_agreement(const std::string& what, const char* solver, solvers::Solve
   options.k = k_index("fixed");
   options.step_tolerance_m = 1e-10;
   options.max_iterations = 10'000;
-  const auto objective = solvers::reference_objective(solver, options);
+  const auto objective = solvers::reference_objective(solvers::solver_named(solver), options);
   REQUIRE(objective);
   const auto s = solve(solver, problems, options);
   std::size_t converged = 0;

@@ -155,7 +155,7 @@ TEST_CASE("the scale and the lift are those of irls at the estimate", "[referenc
   for (std::size_t axis = 0; axis < 3; ++axis) p.start(axis)[0] = 0.0;
   solvers::SolverOptions options;
   options.tuning = 0.5;
-  auto o = *solvers::reference_objective("irls", options);
+  auto o = *solvers::reference_objective(solvers::solver_named("irls"), options);
   CHECK(o.robust.shape == solvers::LossShape::Huber);
   auto frozen = solvers::at_estimate(o, p, 0, std::array<double, 3>{0, 0, 0});
   const double scale = 1.4826 * 0.3;
@@ -163,14 +163,14 @@ TEST_CASE("the scale and the lift are those of irls at the estimate", "[referenc
   // Weights 1, 1, and 0.5 scale / |e| for 0.4, 0.3 and 5: their sum c = 2 + 0.22239 (2.5 + 10 / 3 + 0.2) > 3, no lift.
   CHECK(frozen.robust.lift == 0.0);
   options.tuning = 0.1;
-  o = *solvers::reference_objective("irls", options);
+  o = *solvers::reference_objective(solvers::solver_named("irls"), options);
   frozen = solvers::at_estimate(o, p, 0, std::array<double, 3>{0, 0, 0});
   // 0.044478 (10 + 5 + 2.5 + 10 / 3), and 0.01 for the last, whose own would be less.
   const double c = 0.1 * scale * (10.0 + 5.0 + 2.5 + 10.0 / 3.0) + 0.01;
   CHECK(frozen.robust.lift == Approx((3.0 - c) / (5.0 - c)).epsilon(1e-13));
   options.scale = solvers::Scale::Fixed;
   options.scale_m = 0.25;
-  o = *solvers::reference_objective("irls", options);
+  o = *solvers::reference_objective(solvers::solver_named("irls"), options);
   CHECK(solvers::at_estimate(o, p, 0, std::array<double, 3>{0, 0, 0}).robust.scale_m == 0.25);
 }
 
@@ -178,7 +178,7 @@ TEST_CASE("what minimises nothing has no reference", "[reference]") {
   const auto has = [](const char* solver, const std::function<void(solvers::SolverOptions&)>& change) {
     solvers::SolverOptions options;
     change(options);
-    return solvers::reference_objective(solver, options).has_value();
+    return solvers::reference_objective(solvers::solver_named(solver), options).has_value();
   };
   const auto nothing = [](solvers::SolverOptions&) {};
   for (const char* solver : {"ols", "lm", "dogleg", "rr", "rrr", "irls", "gn_prior"}) {
@@ -194,14 +194,13 @@ TEST_CASE("what minimises nothing has no reference", "[reference]") {
   }
   CHECK_FALSE(has("linear", nothing));
   CHECK_FALSE(has("bancroft", nothing));
-  CHECK_FALSE(has("no such solver", nothing));
   CHECK_FALSE(has("rrr", [](auto& o) {
     o.normalize_weights = solvers::NormalizeWeights::On;
     o.v_mode = solvers::VMode::Prior;
   }));
   solvers::SolverOptions options;
-  CHECK(solvers::reference_objective("rrr", options)->binding);
+  CHECK(solvers::reference_objective(solvers::solver_named("rrr"), options)->binding);
   options.irls_residual = solvers::IrlsResidual::Ols;
-  CHECK_FALSE(solvers::reference_objective("rrr", options)->binding);
-  CHECK(solvers::reference_objective("gn_prior", options)->v_mode == solvers::VMode::Prior);
+  CHECK_FALSE(solvers::reference_objective(solvers::solver_named("rrr"), options)->binding);
+  CHECK(solvers::reference_objective(solvers::solver_named("gn_prior"), options)->v_mode == solvers::VMode::Prior);
 }
