@@ -21,12 +21,7 @@ check_cxx_source_compiles(
   RIDGELOC_XXHASH_DISPATCH)
 unset(CMAKE_REQUIRED_LIBRARIES)
 
-# Random123 is headers alone, without a CMake package.
-find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
-add_library(ridgeloc_random123 INTERFACE)
-target_include_directories(ridgeloc_random123 SYSTEM INTERFACE ${RANDOM123_INCLUDE_DIR})
-
-# xsimd likewise; its CMake package asks for a library that its headers do not need.
+# xsimd is headers alone; its CMake package asks for a library that its headers do not need.
 find_path(XSIMD_INCLUDE_DIR xsimd/xsimd.hpp REQUIRED)
 add_library(ridgeloc_xsimd INTERFACE)
 target_include_directories(ridgeloc_xsimd SYSTEM INTERFACE ${XSIMD_INCLUDE_DIR})

@@ -1,16 +1,29 @@
 #!/usr/bin/env bash
-# Usage: scripts/build.sh [--bench] [--help]    (CMAKE_BUILD_PARALLEL_LEVEL=N: number of compilers at once)
-# Configures and builds the release preset into build/release, after scripts/setup.sh; with --bench the preset bench.
+# Usage: scripts/build.sh [--test | --bench | --fuzz | --asan] [--help]
+# Installs what is missing (scripts/setup.sh), configures and builds: the program alone into build/release; with --test
+# the tests too; with --bench the comparison with other solvers into build/bench; with --fuzz the fuzzers into
+# build/fuzz; with --asan the unit tests under address and undefined-behaviour sanitizers into build/asan.
+# CMAKE_BUILD_PARALLEL_LEVEL=N: number of compilers at once.
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
 preset=release
+setup=()
+options=()
+targets=()
 case "${1:-}" in
-  "") ;;
-  --bench) preset=bench ;;
-  -h | --help) sed -n '2,3s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
-  *) echo "build: unknown argument '$1'; see scripts/build.sh --help" >&2; exit 2 ;;
+  "") options=(-DBUILD_TESTING=OFF) targets=(ridgeloc_app) ;;
+  --test) setup=(--test) options=(-DBUILD_TESTING=ON) ;;
+  --bench) preset=bench setup=(--bench) ;;
+  --fuzz) preset=fuzz setup=(--fuzz) targets=(read_bytes read_values) ;;
+  --asan) preset=asan setup=(--test) targets=(unit_tests) ;;
+  -h | --help) sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  *) echo "build: unknown option '$1'; allowed: --test, --bench, --fuzz, --asan, --help" >&2; exit 2 ;;
 esac
+if (($# > 1)); then
+  echo "build: one option at a time; see scripts/build.sh --help" >&2
+  exit 2
+fi
 
 # Compiling the heaviest files (Ceres, Eigen, CLI11) takes up to 1.5 GiB each.
 kib_per_job=$((3 * 1024 * 1024 / 2))
@@ -28,9 +41,8 @@ by_memory=$(($(available_kib) / kib_per_job))
 if ((by_memory < jobs)); then jobs=$((by_memory > 0 ? by_memory : 1)); fi
 jobs="${CMAKE_BUILD_PARALLEL_LEVEL:-$jobs}"
 
-"$root/scripts/setup.sh" "$@"
+"$root/scripts/setup.sh" "${setup[@]}"
 
-options=()
 # Newer compilers bring new warnings: they stop our own checks, not a newcomer's build.
 if [[ "${CI:-}" == true ]]; then options+=(-DRIDGELOC_WARNINGS_AS_ERRORS=ON); fi
 if command -v ccache >/dev/null; then
@@ -41,4 +53,6 @@ cd "$root"
 echo "build: configuring build/$preset" >&2
 cmake --preset "$preset" "${options[@]}"
 echo "build: compiling, $jobs at once" >&2
-cmake --build "build/$preset" --parallel "$jobs"
+build=(cmake --build "build/$preset" --parallel "$jobs")
+if ((${#targets[@]} > 0)); then build+=(--target "${targets[@]}"); fi
+"${build[@]}"

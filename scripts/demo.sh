@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Usage: scripts/demo.sh [OPTION OF 'ridgeloc run']...    for example: scripts/demo.sh --trials 100000
-# Sets up, builds, runs the studies fig3a and fig3bcd and draws their four figures into out/ as SVG and PDF.
+# Installs what is missing, builds the program alone, runs the studies fig3a and fig3bcd and draws their four figures into
+# out/ as SVG and PDF.
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
 if [[ "${1:-}" == -h || "${1:-}" == --help ]]; then
-  sed -n '2,3s/^# //p' "${BASH_SOURCE[0]}"
+  sed -n '2,4s/^# //p' "${BASH_SOURCE[0]}"
   exit 0
 fi
 

@@ -1,18 +1,27 @@
 #!/usr/bin/env bash
-# Usage: scripts/setup.sh [--bench] [--help]    (RIDGELOC_SKIP_SETUP=1: trust that everything is there)
-# Installs what building, running and testing need and this system lacks: Debian 12 or later, Ubuntu 24.04. With --bench
-# also what the comparison with other solvers needs.
+# Usage: scripts/setup.sh [--test] [--bench] [--fuzz] [--format] [--help]
+# Installs what building and running the program need and this system lacks: Debian 12 or later, Ubuntu 24.04. Also what
+# the tests need with --test (other readers of results, R among them), the comparison with other solvers with --bench,
+# the fuzzers with --fuzz, and the check of formatting with --format.
+# RIDGELOC_SKIP_SETUP=1: trust that everything is there.
 set -euo pipefail
 
 packages=(
-  g++ cmake ninja-build ccache pkg-config git
+  g++ cmake ninja-build pkg-config git
   libeigen3-dev libceres-dev libtbb-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libfmt-dev
-  catch2 libxsimd-dev librandom123-dev libssl-dev libxxhash-dev gnuplot-nox
-  # Other readers of the result files; only the tests use them.
+  libxsimd-dev libssl-dev libxxhash-dev gnuplot-nox
+)
+# With the compiler cache: who tests builds often.
+test_packages=(
+  ccache catch2 librandom123-dev
+  # Other readers of the result files.
   python3-h5py python3-xarray python3-h5netcdf python3-netcdf4
   netcdf-bin r-base-core r-bioc-rhdf5
 )
-bench_packages=(libbenchmark-dev libgsl-dev libcminpack-dev python3-scipy)
+bench_packages=(ccache libbenchmark-dev libgsl-dev libcminpack-dev python3-scipy)
+fuzz_packages=(clang-19)
+# Other versions format otherwise.
+format_packages=(clang-format-14)
 
 say() { echo "setup: $*" >&2; }
 fail() { say "$*"; exit 1; }
@@ -38,12 +47,16 @@ as_root_quietly() {
 }
 apt=(apt-get -qq -o DPkg::Lock::Timeout=900 -o Dpkg::Use-Pty=0)
 
-case "${1:-}" in
-  "") ;;
-  --bench) packages+=("${bench_packages[@]}") ;;
-  -h | --help) sed -n '2,4s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
-  *) fail "unknown argument '$1'; see scripts/setup.sh --help" ;;
-esac
+for option in "$@"; do
+  case "$option" in
+    --test) packages+=("${test_packages[@]}") ;;
+    --bench) packages+=("${bench_packages[@]}") ;;
+    --fuzz) packages+=("${fuzz_packages[@]}") ;;
+    --format) packages+=("${format_packages[@]}") ;;
+    -h | --help) sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
+    *) fail "unknown option '$option'; allowed: --test, --bench, --fuzz, --format, --help" ;;
+  esac
+done
 
 if [[ "${RIDGELOC_SKIP_SETUP:-0}" == 1 ]]; then
   say "skipped, as RIDGELOC_SKIP_SETUP=1 asks"

@@ -19,8 +19,8 @@ namespace ridgeloc::studies {
 
 namespace {
 
-using results::DrawnPoint;
 using results::AxisRange;
+using results::DrawnPoint;
 
 /// More numbers than these at the objects would be a thicket.
 constexpr std::size_t most_numbered = 30;

@@ -34,9 +34,9 @@ TEST_CASE("every verb works on the smallest experiment") {
   write_study(folder, "nap", "0.1, 0.2", 40);
   for (const char* arguments :
        {"list experiments", "new nap", "plan s.toml", "run s.toml -o a.h5", "run s.toml --shard 1/2 -o b.h5",
-        "run s.toml --shard 2/2 -o c.h5", "summary a.h5", "export a.h5 --csv", "export a.h5 --json", "export a.h5 --latex",
-        "export a.h5 --trials", "plot a.h5", "report a.h5 -o a.html", "verify a.h5", "merge b.h5 c.h5 -o d.h5",
-        "compare a.h5 d.h5"}) {
+        "run s.toml --shard 2/2 -o c.h5", "summary a.h5", "export a.h5 --csv", "export a.h5 --json",
+        "export a.h5 --latex", "export a.h5 --trials", "plot a.h5", "report a.h5 -o a.html", "verify a.h5",
+        "merge b.h5 c.h5 -o d.h5", "compare a.h5 d.h5"}) {
     const Outcome outcome = call(folder, arguments);
     INFO(arguments << ": " << outcome.error);
     CHECK(outcome.exit_code == 0);

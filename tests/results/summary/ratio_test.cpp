@@ -133,7 +133,8 @@ TEST_CASE("where the difference knows too little, means count as independent") {
   MetricStatistics beyond = above;
   beyond.beyond = 1;
   CHECK(covariance_of_means(beyond, below, difference) == 0.0);
-  const SummaryRow& ratio = row_of(summary_rows(summary), 3, "error_all_m");
+  const auto rows = summary_rows(summary);
+  const SummaryRow& ratio = row_of(rows, 3, "error_all_m");
   CHECK(ratio.n == 15);
   CHECK(ratio.mcse <=
         ratio_of_means(summary.of(0, 1).metrics[1].moments, summary.of(0, 0).metrics[1].moments, 0.0).error);
