@@ -132,8 +132,7 @@ class CommandLine {
         ->excludes(seed);
     add_threads(verify_verb, verify_.threads);
 
-    CLI::App& summary_verb = verb("summary", "print a result as tables", [this] { return summary(summary_); });
-    summary_verb.add_option("RESULT", summary_.results, "result files")->required();
+    add_summary_options(verb("summary", "print a result as tables", [this] { return summary(summary_); }), summary_);
 
     CLI::App& audit_verb = verb("audit", "solve the failed trials of a result again with Ceres; writes nothing",
                                 [this] { return audit(audit_); });

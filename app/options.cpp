@@ -107,6 +107,18 @@ void add_study_options(CLI::App& verb, StudyOptions& options) {
       ->check(CLI::IsMember(std::vector<std::string>(core::isa_names.begin(), core::isa_names.end())));
 }
 
+void add_summary_options(CLI::App& verb, SummaryOptions& options) {
+  verb.add_option("RESULT", options.results, "result files")->required();
+  CLI::Option* all = verb.add_flag("--all", options.all, "every number of every cell and method");
+  add_names(verb, "--metric", options.metrics,
+            "metric or outcome to show; may be repeated (default: what figures show and methods are compared by)")
+      ->excludes(all);
+  verb.add_option("--cell", options.cell,
+                  "cells with these values of the sweep, or the number of a cell (default: all)")
+      ->type_name("AXIS=VALUE,...");
+  add_names(verb, "--method", options.methods, "method, or difference of two, to show; may be repeated (default: all)");
+}
+
 void add_export_options(CLI::App& verb, ExportOptions& options) {
   verb.add_option("RESULT", options.result, "result file")->required();
   CLI::Option* csv = verb.add_flag("--csv", options.csv, "comma-separated values (the default)");

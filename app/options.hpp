@@ -21,6 +21,8 @@ CLI::Option* add_names(CLI::App& verb, const char* option, std::vector<std::stri
 
 void add_study_options(CLI::App& verb, StudyOptions& options);
 
+void add_summary_options(CLI::App& verb, SummaryOptions& options);
+
 void add_export_options(CLI::App& verb, ExportOptions& options);
 
 void add_plot_options(CLI::App& verb, PlotOptions& options);

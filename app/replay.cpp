@@ -9,6 +9,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/instruction_set.hpp"
+#include "app/name_choice.hpp"
 #include "app/recomputation.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
@@ -38,29 +39,19 @@ Recomputation open_source(const std::string& source) {
   return {std::move(header), std::move(study), std::move(plan)};
 }
 
-[[noreturn]] void refuse(const char* option, const std::string& name, const std::vector<std::string>& allowed) {
-  const std::string nearest = studies::nearest_name(name, allowed);
-  throw core::InputError(fmt::format("{} \"{}\" is unknown{} (allowed: {})", option, name,
-                                     nearest.empty() ? "" : fmt::format(", did you mean \"{}\"?", nearest),
-                                     fmt::join(allowed, ", ")));
-}
-
 /// The methods of the study that are asked for, and the solvers asked for beside them.
 std::vector<studies::Method> chosen_methods(const studies::Study& study, const ReplayOptions& options) {
   std::vector<studies::Method> chosen;
   if (options.methods.empty()) chosen = study.methods;
+  std::vector<std::string> labels;
+  for (const studies::Method& method : study.methods) labels.push_back(method.label);
   for (const std::string& label : options.methods) {
-    const auto found = std::ranges::find(study.methods, label, &studies::Method::label);
-    if (found == study.methods.end()) {
-      std::vector<std::string> labels;
-      for (const studies::Method& method : study.methods) labels.push_back(method.label);
-      refuse("--method", label, labels);
-    }
-    chosen.push_back(*found);
+    check_name("--method", label, labels);
+    chosen.push_back(*std::ranges::find(study.methods, label, &studies::Method::label));
   }
   const std::vector<std::string> solvers = studies::solvers_of(*study.experiment);
   for (const std::string& solver : options.solvers) {
-    if (std::ranges::find(solvers, solver) == solvers.end()) refuse("--solver", solver, solvers);
+    check_name("--solver", solver, solvers);
     const bool taken = std::ranges::find(chosen, solver, &studies::Method::label) != chosen.end();
     chosen.push_back({taken ? solver + ", settings shared" : solver, solver, {}});
   }
@@ -118,7 +109,7 @@ void print_json(const studies::Replay& replay, const Recomputation& source, cons
 int replay(const ReplayOptions& options) {
   const Recomputation source = open_source(options.source);
   const studies::Experiment& experiment = *source.study.experiment;
-  const studies::Cell& cell = studies::choose_cell(source.study, source.plan, options.cell);
+  const studies::Cell& cell = studies::choose_cell(source.plan, options.cell);
   const auto methods = chosen_methods(source.study, options);
   const auto simulation = experiment.prepare(source.study.seed, cell, methods);
   const auto workspace = experiment.make_workspace(source.plan.isa);

@@ -70,6 +70,10 @@ int verify(const VerifyOptions& options);
 
 struct SummaryOptions {
   std::vector<std::string> results;
+  bool all = false;                  ///< every number of every cell and method
+  std::vector<std::string> metrics;  ///< columns, events too; empty: those that lead
+  std::string cell;                  ///< a number, or AXIS=VALUE,...; empty: all
+  std::vector<std::string> methods;  ///< labels, of differences too; empty: all
 };
 int summary(const SummaryOptions& options);
 

@@ -7,7 +7,6 @@
 #include "results/report/html.hpp"
 #include "results/report/report_part.hpp"
 #include "results/schema/text.hpp"
-#include "results/statistics/interval.hpp"
 
 namespace ridgeloc::results {
 namespace {
@@ -20,10 +19,7 @@ constexpr std::size_t most_open_rows = 60;
 /// How often something happened, and its rate with an interval, or a bound where it never did.
 HtmlCell rate_cell(std::uint64_t count, std::uint64_t trials) {
   if (trials == 0) return {"-"};
-  if (count == 0) return {fmt::format("0 [≤ {:.2g}]", upper_bound_of_none(trials)), "0"};
-  const double rate = static_cast<double>(count) / static_cast<double>(trials);
-  const Interval interval = wilson_interval(count, trials);
-  return {html_text(text_with_interval(rate, interval.lo, interval.hi)), exact_text(rate)};
+  return {html_text(rate_text(count, trials)), exact_text(static_cast<double>(count) / static_cast<double>(trials))};
 }
 
 /// The total of a method over all cells.
@@ -39,12 +35,9 @@ Statistics total_of(const Summary& summary, std::size_t method) {
 /// One row of statuses: trials, a count per status, the failed ones and their rate.
 std::vector<HtmlCell> status_cells(const Schema& schema, const Statistics& statistics) {
   std::vector<HtmlCell> cells = {count_cell(statistics.trials)};
-  std::uint64_t failed = 0;
-  for (std::size_t s = 0; s < schema.statuses; ++s) {
-    const std::uint64_t count = statistics.events.empty() ? 0 : statistics.events[s];
-    cells.push_back(count_cell(count));
-    if (schema.events[s].is_failure) failed += count;
-  }
+  for (std::size_t s = 0; s < schema.statuses; ++s)
+    cells.push_back(count_cell(statistics.events.empty() ? 0 : statistics.events[s]));
+  const std::uint64_t failed = failed_trials(schema, statistics);
   cells.push_back(count_cell(failed));
   cells.push_back(rate_cell(failed, statistics.trials));
   return cells;

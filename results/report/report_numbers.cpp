@@ -9,7 +9,6 @@
 #include "results/report/html.hpp"
 #include "results/report/report_part.hpp"
 #include "results/schema/text.hpp"
-#include "results/statistics/interval.hpp"
 #include "results/util/shell.hpp"
 
 namespace ridgeloc::results {
@@ -22,23 +21,11 @@ constexpr const char* flag = " <b class=\"flag\">!</b>";
 /// The number that leads for a measure, with its error or interval.
 HtmlCell estimate_cell(const SummaryRow& row, const Measure& measure) {
   if (row.n == 0) return {"-"};
-  std::string text;
-  double value = row.mean;
-  bool flagged = is_flagged(row, measure);
-  switch (measure.lead) {
-    case Measure::Lead::Rate:
-      text = row.mean > 0.0 ? text_with_interval(row.mean, row.lo, row.hi)
-                            : fmt::format("0 [≤ {:.2g}]", upper_bound_of_none(row.n));
-      break;
-    case Measure::Lead::Median:
-      value = row.p50;
-      flagged = false;  // order statistics hold for every distribution
-      text = text_with_interval(row.p50, row.p50_lo, row.p50_hi);
-      break;
-    case Measure::Lead::Mean:
-      text = text_with_error(row.mean, row.mcse);
-  }
-  return {html_text(text) + (flagged ? flag : ""), exact_text(value)};
+  // Order statistics hold for every distribution.
+  const bool is_median = measure.lead == Measure::Lead::Median;
+  const bool flagged = !is_median && is_flagged(row, measure);
+  return {html_text(estimate_text(row, measure.lead)) + (flagged ? flag : ""),
+          exact_text(is_median ? row.p50 : row.mean)};
 }
 
 const char* reading(const Measure& measure) {

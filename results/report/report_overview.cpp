@@ -37,14 +37,12 @@ std::string alarm_flag(const ReportSource& source) {
 }
 
 std::string failure_flag(const Summary& summary) {
-  const Schema& schema = summary.header.schema;
   std::uint64_t runs = 0;
   std::uint64_t failed = 0;
   for (const Statistics& statistics : summary.statistics) {
     if (statistics.events.empty()) continue;
     runs += statistics.trials;
-    for (std::size_t s = 0; s < schema.statuses; ++s)
-      if (schema.events[s].is_failure) failed += statistics.events[s];
+    failed += failed_trials(summary.header.schema, statistics);
   }
   return flag(false,
               fmt::format("{} of {} solutions failed ({:.3g} %); none was drawn again or left out.", failed, runs,

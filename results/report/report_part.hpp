@@ -7,6 +7,7 @@
 
 #include "results/report/html.hpp"
 #include "results/report/report.hpp"
+#include "results/summary/measure.hpp"
 
 namespace ridgeloc::results {
 
@@ -18,41 +19,11 @@ struct ReportPlace {
   std::string id(std::string_view name) const { return prefix + std::string(name); }
 };
 
-/// What is reported of each cell and method, as tables and texts name it: the metrics, then the events.
-struct Measure {
-  enum class Lead { Mean, Median, Rate };  ///< the number that speaks for it
-  std::string name;
-  std::string unit;
-  std::string description;
-  Lead lead = Lead::Mean;
-  bool is_metric = true;
-  bool is_status = false;
-  bool is_failure = false;
-  bool is_alarm = false;
-};
-std::vector<Measure> measures_of(const Schema& schema);
-
-/// The measure that a row of the summary is about.
-const Measure& measure_of(const std::vector<Measure>& measures, const SummaryRow& row);
-
-/// Name and unit: "error_m [m]".
-std::string measure_title(const Measure& measure);
-
 /// The name of the table of a measure within its report.
 std::string measure_id(std::size_t measure);
 
-/// Whether a row carries a `!`: its error bar is not reliable itself. A rate of something never seen has a bound
-/// instead of a bar.
-bool is_flagged(const SummaryRow& row, const Measure& measure);
-
 /// A text as a sentence: with a capital and a full stop.
 std::string sentence(std::string text);
-
-/// Whether a figure of the study shows the measure.
-bool is_drawn(const Header& header, const std::string& measure);
-
-/// Whether the method runs on trials, and is no mere label of what belongs to the scene: then it has statuses.
-bool is_solver(const Summary& summary, std::size_t method);
 
 /// The columns and cells that say which cell of the sweep a row of a table is about.
 std::vector<HtmlTable::Column> factor_columns(const Header& header);

@@ -30,18 +30,33 @@ MeanSquare mean_square(const Moments& moments) {
 
 }  // namespace
 
+double two_sided_quantile(double chance) {
+  double low = 0.0;
+  double high = 40.0;
+  while (high - low > 1e-9) {
+    const double middle = 0.5 * (low + high);
+    (std::erfc(middle / std::sqrt(2.0)) > chance ? low : high) = middle;
+  }
+  return high;
+}
+
+double student_quantile(double normal, std::uint64_t degrees_of_freedom) {
+  if (degrees_of_freedom == 0) return nan;
+  const double square = normal * normal;
+  const double g1 = normal * (square + 1.0) / 4.0;
+  const double g2 = normal * ((5.0 * square + 16.0) * square + 3.0) / 96.0;
+  const double g3 = normal * (((3.0 * square + 19.0) * square + 17.0) * square - 15.0) / 384.0;
+  const double g4 =
+      normal * ((((79.0 * square + 776.0) * square + 1482.0) * square - 1920.0) * square - 945.0) / 92160.0;
+  const double w = 1.0 / static_cast<double>(degrees_of_freedom);
+  return normal + w * (g1 + w * (g2 + w * (g3 + w * g4)));
+}
+
 double student_quantile_975(std::uint64_t degrees_of_freedom) {
   constexpr double confidence = 0.95;
-  if (degrees_of_freedom == 0) return nan;
   if (degrees_of_freedom == 1) return 12.706204736174698;  // tan(0.95 pi / 2)
   if (degrees_of_freedom == 2) return confidence * std::sqrt(2.0 / (1.0 - confidence * confidence));
-  constexpr double z2 = z * z;
-  constexpr double g1 = z * (z2 + 1.0) / 4.0;
-  constexpr double g2 = z * ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;
-  constexpr double g3 = z * (((3.0 * z2 + 19.0) * z2 + 17.0) * z2 - 15.0) / 384.0;
-  constexpr double g4 = z * ((((79.0 * z2 + 776.0) * z2 + 1482.0) * z2 - 1920.0) * z2 - 945.0) / 92160.0;
-  const double w = 1.0 / static_cast<double>(degrees_of_freedom);
-  return z + w * (g1 + w * (g2 + w * (g3 + w * g4)));
+  return student_quantile(z, degrees_of_freedom);
 }
 
 double standard_deviation(const Moments& moments) {

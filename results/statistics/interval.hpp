@@ -21,6 +21,12 @@ inline constexpr double normal_quantile_975 = 1.959963984540054;
 /// most 1.3e-3 of its value at 3, 7e-6 at 9 and 1e-7 from 21 on. NaN without a degree of freedom.
 double student_quantile_975(std::uint64_t degrees_of_freedom);
 
+/// Where the chance that a standard normal value is larger in size, erfc(z / sqrt 2), is `chance`.
+double two_sided_quantile(double chance);
+
+/// The quantile of Student's t distribution where the normal one is `z`, by the same expansion.
+double student_quantile(double z, std::uint64_t degrees_of_freedom);
+
 /// Sample standard deviation sqrt(M2 / (n - 1)); NaN for n < 2.
 double standard_deviation(const Moments& moments);
 

@@ -13,17 +13,6 @@ namespace {
 
 using Key = std::pair<std::string, std::string>;  ///< hashes of cell and method
 
-/// Where the chance that a standard normal value is larger in size, erfc(z / sqrt 2), is `chance`.
-double two_sided_quantile(double chance) {
-  double low = 0.0;
-  double high = 40.0;
-  while (high - low > 1e-9) {
-    const double middle = 0.5 * (low + high);
-    (std::erfc(middle / std::sqrt(2.0)) > chance ? low : high) = middle;
-  }
-  return high;
-}
-
 double median_error(const SummaryRow& row) {
   return (row.p50_hi - row.p50_lo) / (2.0 * normal_quantile_975);
 }

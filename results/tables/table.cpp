@@ -75,10 +75,16 @@ struct Block {
   std::vector<Cells> lines;
 };
 
-std::vector<Block> blocks_of(const Summary& summary) {
+bool is_chosen(const Header& header, const SummaryChoice& choice, const SummaryRow& row) {
+  const std::size_t method = header.methods[row.method].ratio.value_or(row.method);
+  return std::ranges::binary_search(choice.cells, row.cell) && std::ranges::binary_search(choice.methods, method);
+}
+
+std::vector<Block> blocks_of(const Summary& summary, const SummaryChoice& choice) {
   std::vector<Block> blocks;
   bool in_rates = false;
   for (const SummaryRow& row : summary_rows(summary)) {
+    if (!is_chosen(summary.header, choice, row)) continue;
     if (blocks.empty() || blocks.back().cell != row.cell || blocks.back().method != row.method) {
       blocks.push_back({row.cell, row.method, {}});
       in_rates = false;
@@ -122,8 +128,12 @@ std::string heading(const Header& header) {
 }  // namespace
 
 std::string summary_table(const Summary& of_methods) {
+  return summary_table(of_methods, whole(of_methods.header));
+}
+
+std::string summary_table(const Summary& of_methods, const SummaryChoice& choice) {
   const Summary summary = with_ratios(of_methods);
-  const std::vector<Block> blocks = blocks_of(summary);
+  const std::vector<Block> blocks = blocks_of(summary, choice);
   std::array<std::size_t, columns> widths{};
   for (const Block& block : blocks) {
     for (const Cells& cells : block.lines) {

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "results/schema/axis_values.hpp"
+#include "results/schema/text.hpp"
 
 namespace ridgeloc::studies {
 
@@ -25,21 +26,14 @@ std::optional<std::uint64_t> number_in(std::string_view text) {
   return value;
 }
 
-/// A value as users write it on the command line: texts without quotes.
-std::string plain(const Value& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  if (const auto* real = std::get_if<double>(&value)) return fmt::format("{}", *real);
-  return to_toml(value);
+bool is_text(const results::FactorValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text != nullptr && !text->starts_with('[');
 }
 
-bool is_value(std::string_view text, const Value& value) {
-  return results::is_written_as(factor_value(value), text) || text == to_toml(value);
-}
-
-std::vector<std::string> axis_names(const Study& study) {
-  std::vector<std::string> names;
-  for (const SweepAxis& axis : study.sweep) names.push_back(axis.setting->name);
-  return names;
+/// As a command line or a study file has it: texts with quotes too.
+bool is_value(std::string_view text, const results::FactorValue& value) {
+  return results::is_written_as(value, text) || (is_text(value) && text == to_toml(std::get<std::string>(value)));
 }
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates) {
@@ -52,61 +46,70 @@ struct Choice {
   std::size_t axis;
   std::size_t value;
 };
-Choice choice(const Study& study, std::string_view text, std::string_view item) {
+Choice choice(const results::Header& header, std::string_view text, std::string_view item) {
   const std::size_t equals = item.find('=');
   if (equals == std::string_view::npos) {
     fail(text, fmt::format("\"{}\" is neither the number of a cell nor AXIS=VALUE, for example points=5", item));
   }
   const std::string_view name = results::trimmed(item.substr(0, equals));
   const std::string_view value = results::trimmed(item.substr(equals + 1));
-  const auto axis = std::ranges::find(study.sweep, name, [](const SweepAxis& a) { return a.setting->name; });
-  if (axis == study.sweep.end()) {
-    const auto names = axis_names(study);
+  const auto axis = std::ranges::find(header.axes, name, &results::Axis::name);
+  if (axis == header.axes.end()) {
+    std::vector<std::string> names;
+    for (const results::Axis& swept : header.axes) names.push_back(swept.name);
     const std::string allowed =
         names.empty() ? "the study sweeps nothing" : fmt::format("swept are: {}", fmt::join(names, ", "));
     fail(text, fmt::format("\"{}\" is no axis of the sweep{} ({})", name, did_you_mean(name, names), allowed));
   }
-  const auto found = std::ranges::find_if(axis->values, [&](const Value& v) { return is_value(value, v); });
+  const auto found = std::ranges::find_if(axis->values, [&](const auto& v) { return is_value(value, v); });
   if (found == axis->values.end()) {
     std::vector<std::string> values;
-    for (const Value& v : axis->values) values.push_back(plain(v));
-    const bool is_text = std::holds_alternative<std::string>(axis->values.front());
+    for (const results::FactorValue& v : axis->values) values.push_back(results::factor_text(v));
     fail(text, fmt::format("{} = {} is not in the sweep{} (allowed: {})", name, value,
-                           is_text ? did_you_mean(value, values) : "", fmt::join(values, ", ")));
+                           is_text(axis->values.front()) ? did_you_mean(value, values) : "", fmt::join(values, ", ")));
   }
-  return {static_cast<std::size_t>(axis - study.sweep.begin()), static_cast<std::size_t>(found - axis->values.begin())};
+  return {static_cast<std::size_t>(axis - header.axes.begin()), static_cast<std::size_t>(found - axis->values.begin())};
+}
+
+std::vector<Choice> choices_in(const results::Header& header, std::string_view text) {
+  std::vector<Choice> choices;
+  if (results::trimmed(text).empty()) return choices;
+  for (const std::string_view item : results::list_items(text)) choices.push_back(choice(header, text, item));
+  return choices;
 }
 
 }  // namespace
 
-const Cell& choose_cell(const Study& study, const Plan& plan, std::string_view text) {
+std::vector<std::size_t> choose_cells(const results::Header& header, std::string_view text) {
   if (const auto number = number_in(results::trimmed(text))) {
-    if (*number < plan.cells.size()) return plan.cells[*number];
-    fail(text, fmt::format("there is no such cell (allowed: 0 to {})", plan.cells.size() - 1));
+    if (*number < header.cells.size()) return {static_cast<std::size_t>(*number)};
+    fail(text, fmt::format("there is no such cell (allowed: 0 to {})", header.cells.size() - 1));
   }
-  std::vector<Choice> choices;
-  if (!results::trimmed(text).empty()) {
-    for (const std::string_view item : results::list_items(text)) choices.push_back(choice(study, text, item));
+  const std::vector<Choice> choices = choices_in(header, text);
+  std::vector<std::size_t> cells;
+  for (std::size_t cell = 0; cell < header.cells.size(); ++cell) {
+    const auto matches = [&](const Choice& c) { return header.cells[cell].indices[c.axis] == c.value; };
+    if (std::ranges::all_of(choices, matches)) cells.push_back(cell);
   }
-  const Cell* chosen = nullptr;
-  std::size_t count = 0;
-  for (const Cell& cell : plan.cells) {
-    if (!std::ranges::all_of(choices, [&](const Choice& c) { return cell.indices[c.axis] == c.value; })) continue;
-    chosen = &cell;
-    ++count;
-  }
-  if (count == 0) fail(text, "no cell of the sweep has all of these values");
-  if (count == 1) return *chosen;
+  if (cells.empty()) fail(text, "no cell of the sweep has all of these values");
+  return cells;
+}
+
+const Cell& choose_cell(const Plan& plan, std::string_view text) {
+  const results::Header& header = plan.header;
+  const std::vector<std::size_t> cells = choose_cells(header, text);
+  if (cells.size() == 1) return plan.cells[cells.front()];
+  const std::vector<Choice> choices = choices_in(header, text);
   std::vector<std::string> missing;
-  for (std::size_t a = 0; a < study.sweep.size(); ++a) {
+  for (std::size_t a = 0; a < header.axes.size(); ++a) {
     const bool given = std::ranges::any_of(choices, [&](const Choice& c) { return c.axis == a; });
-    if (!given && study.sweep[a].values.size() > 1) missing.push_back(study.sweep[a].setting->name + "=...");
+    if (!given && header.axes[a].values.size() > 1) missing.push_back(header.axes[a].name + "=...");
   }
   const std::string more = fmt::format("{}", fmt::join(missing, ","));
   if (choices.empty()) {
-    throw core::InputError(fmt::format("the sweep has {} cells; choose one with --cell {}", count, more));
+    throw core::InputError(fmt::format("the sweep has {} cells; choose one with --cell {}", cells.size(), more));
   }
-  fail(text, fmt::format("{} cells of the sweep are like this; add {}", count, more));
+  fail(text, fmt::format("{} cells of the sweep are like this; add {}", cells.size(), more));
 }
 
 }  // namespace ridgeloc::studies

@@ -67,7 +67,7 @@ TEST_CASE("a study of photos runs with a map from a file, which the result keeps
   const Outcome run = folder.ridgeloc("run study.toml -o result.h5");
   INFO(run.error);
   REQUIRE(run.exit_code == 0);
-  const Outcome summary = folder.ridgeloc("summary result.h5");
+  const Outcome summary = folder.ridgeloc("summary --all result.h5");
   CHECK(summary.exit_code == 0);
   for (const char* piece : {"success", "error_m", "objects_detected", "ols", "rrr"})
     CHECK(contains(summary.out, piece));

@@ -73,7 +73,7 @@ TEST_CASE("plan says what a study amounts to, and writes nothing") {
 
 TEST_CASE("summary shows every cell, method and failure with its error") {
   const WithResult folder;
-  const auto outcome = folder.ridgeloc("summary result.h5");
+  const auto outcome = folder.ridgeloc("summary --all result.h5");
   REQUIRE(outcome.exit_code == 0);
   CHECK(contains(outcome.out, "A small study"));
   CHECK(contains(outcome.out, "points = 5, range_sigma_m = 0.3: lm"));
@@ -81,10 +81,39 @@ TEST_CASE("summary shows every cell, method and failure with its error") {
   CHECK(contains(outcome.out, "crb_m"));
 }
 
+TEST_CASE("summary begins with what matters, and shows what is asked for") {
+  const WithResult folder;
+  const auto whole = folder.ridgeloc("summary result.h5");
+  REQUIRE(whole.exit_code == 0);
+  for (const char* piece :
+       {"A small study\n", "complete: 4 cells", "Differences on the same trials, first minus second: mean ± error",
+        "Failures, 4 cells together:"}) {
+    INFO(piece << " in " << whole.out);
+    CHECK(contains(whole.out, piece));
+  }
+  const auto part =
+      folder.ridgeloc("summary result.h5 --cell points=5 --method lm --metric iterations --metric converged");
+  REQUIRE(part.exit_code == 0);
+  CHECK(contains(part.out, "in every row: points = 5\n"));
+  CHECK(contains(part.out, "iterations"));
+  CHECK(contains(part.out, "converged"));
+  CHECK_FALSE(contains(part.out, "rrr"));
+  for (const auto& [arguments, said] : {std::pair{"--metric eror_m", "did you mean \"error_m\"?"},
+                                        std::pair{"--method ml", "--method \"ml\" is unknown"},
+                                        std::pair{"--cell points=9", "points = 9 is not in the sweep"},
+                                        std::pair{"--all --metric error_m", "--metric"}}) {
+    const auto refused = folder.ridgeloc(std::string("summary result.h5 ") + arguments);
+    CHECK(refused.exit_code == 2);
+    CHECK(line_count(refused.error) == 1);
+    INFO(refused.error);
+    CHECK(contains(refused.error, said));
+  }
+}
+
 TEST_CASE("the audit shows in the summary, and can be switched off") {
   const WithResult folder;
   // 4 cells of 40 trials, all of them audited; rrr and lm.
-  const std::string table = folder.ridgeloc("summary result.h5").out;
+  const std::string table = folder.ridgeloc("summary --all result.h5").out;
   CHECK(contains(table, "ref_gap_m [m]"));
   CHECK(contains(table, "ref_converged"));
   std::size_t quiet = 0;
@@ -92,7 +121,9 @@ TEST_CASE("the audit shows in the summary, and can be switched off") {
     quiet += contains(line, "ref_disagrees") && contains(line, "0 [<= 0.0");
   CHECK(quiet == 8);
   REQUIRE(folder.ridgeloc("run study.toml --audit 0 -o quiet.h5").exit_code == 0);
-  CHECK_FALSE(contains(folder.ridgeloc("summary quiet.h5").out, "ref_"));
+  CHECK_FALSE(contains(folder.ridgeloc("summary --all quiet.h5").out, "ref_"));
+  CHECK(contains(folder.ridgeloc("summary result.h5").out, "audited by Ceres: "));
+  CHECK(contains(folder.ridgeloc("summary quiet.h5").out, "not audited: no trial was checked independently\n"));
   CHECK(folder.ridgeloc("run study.toml -o result.h5 --audit 0.5").exit_code == 2);  // another study
   const auto refused = folder.ridgeloc("run study.toml --audit 2 -o x.h5");
   CHECK(refused.exit_code == 2);

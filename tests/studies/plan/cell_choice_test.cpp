@@ -22,10 +22,10 @@ struct Planned {
                               "\n[[method]]\nsolver = \"irls\"\n[[method]]\nsolver = \"rrr\"\n"})),
         plan(make_plan(study)) {}
 
-  std::size_t operator()(const std::string& text) const { return choose_cell(study, plan, text).index; }
+  std::size_t operator()(const std::string& text) const { return choose_cell(plan, text).index; }
   std::string refusal(const std::string& text) const {
     try {
-      choose_cell(study, plan, text);
+      choose_cell(plan, text);
     } catch (const core::InputError& error) {
       return error.what();
     }
