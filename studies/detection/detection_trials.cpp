@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/random.hpp"
+#include "studies/study/setting_builders.hpp"
 
 namespace ridgeloc::studies {
 
@@ -26,26 +27,10 @@ std::size_t slots_of(const DetectionCell& cell) {
 std::vector<Setting> make_settings() {
   std::vector<Setting> settings = photo_settings();
   std::ranges::move(detector_settings(), std::back_inserter(settings));
-  settings.push_back(
-      {"object", "object_class", Kind::Text, std::string(any_class), 0, 0, {}, "1", "class of the objects"});
-  settings.push_back({"object",
-                      "distance",
-                      Kind::Choice,
-                      std::string(distance_names[0]),
-                      0,
-                      0,
-                      {distance_names.begin(), distance_names.end()},
-                      "1",
-                      "near or far objects"});
-  settings.push_back({"object",
-                      "least_detections",
-                      Kind::Integer,
-                      std::int64_t{0},
-                      0,
-                      12,
-                      {},
-                      "1",
-                      "photos with fewer detections do not count"});
+  const Section object("object");
+  settings.push_back(object.text("object_class", std::string(any_class), "class of the objects"));
+  settings.push_back(object.choice("distance", distance_names, Distance::Any, "near or far objects"));
+  settings.push_back(object.integer("least_detections", 0, {0, 12}, "photos with fewer detections do not count"));
   return settings;
 }
 

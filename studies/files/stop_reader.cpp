@@ -6,23 +6,20 @@
 #include "studies/files/toml_document.hpp"
 #include "studies/study/capabilities.hpp"
 #include "studies/study/comparison.hpp"
+#include "studies/study/setting_builders.hpp"
 
 namespace ridgeloc::studies {
 
 namespace {
 
-Setting target_setting(const char* name) {
-  return {"stop", name, Kind::Real, 0.0, 1e-15, 1e12, {}, "1", "", false};
-}
-
-Setting cost_setting() {
-  return {"stop", "max_cost", Kind::Real, 0.0, 1.0, 1e18, {}, "1", "", false};
+/// A number of the rule, which has no default.
+Setting number_setting(const char* name, Interval bounds) {
+  return Section("stop").real(name, 0, bounds, "1", "");
 }
 
 std::uint64_t read_trials(const toml::table& table, const char* name, std::uint64_t least) {
-  const Setting setting{
-      "stop", name, Kind::Integer, std::int64_t{1}, static_cast<double>(least), static_cast<double>(max_trials), {},
-      "1",    "",   false};
+  const Interval bounds = {static_cast<double>(least), static_cast<double>(max_trials)};
+  const Setting setting = Section("stop").integer(name, 1, bounds, "");
   const toml::node* node = table.get(name);
   if (node == nullptr) fail_at(table, fmt::format("[stop] lacks {}: {}", name, accepted(setting)));
   return static_cast<std::uint64_t>(std::get<std::int64_t>(read_setting(*node, setting, fmt::format("stop.{}", name))));
@@ -59,8 +56,8 @@ void read_stop(const toml::table& document, Study& study) {
   }
   rule.is_relative = relative != nullptr;
   const char* name = rule.is_relative ? "relative" : "target";
-  rule.target = std::get<double>(
-      read_setting(rule.is_relative ? *relative : *target, target_setting(name), fmt::format("stop.{}", name)));
+  rule.target = std::get<double>(read_setting(rule.is_relative ? *relative : *target,
+                                              number_setting(name, {1e-15, 1e12}), fmt::format("stop.{}", name)));
   rule.min_trials = table.contains("min_trials") ? read_trials(table, "min_trials", 1) : study.trials;
   const toml::node* trials = document.get("trials");
   if (trials != nullptr && is_override(*trials) && rule.min_trials != study.trials) {
@@ -68,7 +65,7 @@ void read_stop(const toml::table& document, Study& study) {
   }
   rule.max_trials = read_trials(table, "max_trials", rule.min_trials);
   if (const toml::node* cost = table.get("max_cost"))
-    rule.max_cost = std::get<double>(read_setting(*cost, cost_setting(), "stop.max_cost"));
+    rule.max_cost = std::get<double>(read_setting(*cost, number_setting("max_cost", {1, 1e18}), "stop.max_cost"));
   study.trials = rule.min_trials;
   study.stop = std::move(rule);
 }

@@ -14,6 +14,7 @@
 #include "studies/files/sections.hpp"
 #include "studies/files/toml_document.hpp"
 #include "studies/study/capabilities.hpp"
+#include "studies/study/setting_builders.hpp"
 
 namespace ridgeloc::studies {
 
@@ -21,20 +22,13 @@ namespace {
 
 const Setting& study_setting(std::string_view name) {
   constexpr double int64_limit = 9.2e18;
+  const Section top("");
+  const Section store("store");
   static const std::vector<Setting> settings = {
-      {"", "seed", Kind::Integer, std::int64_t{2018}, 0, int64_limit, {}, "1", "seed of all random numbers", false},
-      {"",
-       "trials",
-       Kind::Integer,
-       std::int64_t{100},
-       1,
-       static_cast<double>(max_trials),
-       {},
-       "1",
-       "trials per cell",
-       false},
-      {"", "audit", Kind::Real, 1e-4, 0, 1, {}, "1", "share of the trials that Ceres solves again", false},
-      {"store", "trial_columns_mib", Kind::Real, 64.0, 0, 1e6, {}, "MiB", "per-trial columns kept of each cell", false},
+      top.integer("seed", 2018, {0, int64_limit}, "seed of all random numbers"),
+      top.integer("trials", 100, {1, static_cast<double>(max_trials)}, "trials per cell"),
+      top.real("audit", 1e-4, {0, 1}, "1", "share of the trials that Ceres solves again"),
+      store.real("trial_columns_mib", 64, {0, 1e6}, "MiB", "per-trial columns kept of each cell"),
   };
   return *std::ranges::find(settings, name, &Setting::name);
 }

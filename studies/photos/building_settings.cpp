@@ -5,38 +5,11 @@
 
 #include "studies/files/map_reader.hpp"
 #include "studies/solving/solver_settings.hpp"
+#include "studies/study/setting_builders.hpp"
 
 namespace ridgeloc::studies {
 
 namespace {
-
-constexpr std::array<std::string_view, 2> score_names = {"none", "detector"};
-
-template <std::size_t N>
-std::vector<std::string> strings(const std::array<std::string_view, N>& names) {
-  return {names.begin(), names.end()};
-}
-
-Setting real(const char* section, const char* name, double standard, double low, double high, const char* unit,
-             const char* description) {
-  return {section, name, Kind::Real, standard, low, high, {}, unit, description};
-}
-
-Setting integer(const char* section, const char* name, std::size_t standard, double low, double high,
-                const char* description) {
-  return {section, name, Kind::Integer, static_cast<std::int64_t>(standard), low, high, {}, "1", description};
-}
-
-template <std::size_t N>
-Setting choice(const char* section, const char* name, const std::array<std::string_view, N>& names,
-               std::size_t standard, const char* description) {
-  return {section, name, Kind::Choice, std::string(names[standard]), 0, 0, strings(names), "1", description};
-}
-
-Setting read_if(const Condition& condition, Setting setting) {
-  setting.read_if = condition;
-  return setting;
-}
 
 template <class T>
 const T& get(const Values& values, std::string_view name) {
@@ -64,30 +37,31 @@ bool is_for_photos(const Setting& setting) {
 }
 
 std::vector<Setting> make_building_settings() {
-  const solvers::CoarseOptions coarse;
+  const solvers::CoarseOptions standard;
+  const Section photo("photo");
+  const Section coarse("coarse");
   std::vector<Setting> settings = photo_settings();
-  settings.push_back(integer("photo", "detections", 0, 0, 12, "number of detections (0: 3 to 7 as in Table 1)"));
+  settings.push_back(photo.integer("detections", 0, {0, 12}, "number of detections (0: 3 to 7 as in Table 1)"));
   settings.push_back(
-      choice("photo", "scores", score_names, 0, "scores that solvers weigh with: none, or the detector's"));
+      photo.choice("scores", {"none", "detector"}, "none", "scores that solvers weigh with: none, or the detector's"));
   std::ranges::move(detector_settings(), std::back_inserter(settings));
   std::ranges::move(recognition_settings(), std::back_inserter(settings));
   const Condition if_coarse{"starts", {std::string(start_places_names[0])}};
   const Condition if_grid{"starts", {std::string(start_places_names[1])}};
   const std::vector<Setting> own = {
-      choice("coarse", "starts", start_places_names, 0,
-             "where solvers start: at coarse positions, or all over the map with the objects rightly told"),
-      read_if(if_grid, real("coarse", "start_spacing_m", 1.0, 0.05, 100, "m", "distance of these places")),
-      read_if(if_coarse, real("coarse", "grid_spacing_m", 2.0, 0.1, 100, "m",
-                              "distance of the places that map graphs are made for")),
-      read_if(if_coarse, integer("coarse", "grid_headings", 8, 1, 360, "headings of each place")),
-      read_if(if_coarse, integer("coarse", "coarse_topk", coarse.top, 1, 100, "most coarse positions of a photo")),
-      read_if(if_coarse, real("coarse", "agreement_weight", coarse.agreement_weight, 0, 1, "1",
-                              "what agreeing relations count beside matched objects (lambda)")),
-      read_if(if_coarse, real("coarse", "unmatched_penalty", coarse.unmatched_penalty, 0, 10, "1",
-                              "what objects of a map graph count that are not in the photo (mu)")),
-      read_if(if_coarse,
-              choice("coarse", "coarse_ties", solvers::coarse_ties_names, static_cast<std::size_t>(coarse.ties),
-                     "equal scores: by the sizes of boxes, or by the order of the grid")),
+      coarse.choice("starts", start_places_names, StartPlaces::Coarse,
+                    "where solvers start: at coarse positions, or all over the map with the objects rightly told"),
+      read_if(if_grid, coarse.real("start_spacing_m", 1.0, {0.05, 100}, "m", "distance of these places")),
+      read_if(if_coarse, coarse.real("grid_spacing_m", 2.0, {0.1, 100}, "m",
+                                     "distance of the places that map graphs are made for")),
+      read_if(if_coarse, coarse.integer("grid_headings", 8, {1, 360}, "headings of each place")),
+      read_if(if_coarse, coarse.integer("coarse_topk", standard.top, {1, 100}, "most coarse positions of a photo")),
+      read_if(if_coarse, coarse.real("agreement_weight", standard.agreement_weight, {0, 1}, "1",
+                                     "what agreeing relations count beside matched objects (lambda)")),
+      read_if(if_coarse, coarse.real("unmatched_penalty", standard.unmatched_penalty, {0, 10}, "1",
+                                     "what objects of a map graph count that are not in the photo (mu)")),
+      read_if(if_coarse, coarse.choice("coarse_ties", solvers::coarse_ties_names, standard.ties,
+                                       "equal scores: by the sizes of boxes, or by the order of the grid")),
   };
   settings.insert(settings.end(), own.begin(), own.end());
   for (Setting& setting : solver_settings()) {
@@ -96,71 +70,67 @@ std::vector<Setting> make_building_settings() {
     if (setting.read_if.setting == "model") setting.read_if = {};
     settings.push_back(std::move(setting));
   }
-  settings.push_back(choice("solver", "z_mode", solvers::z_mode_names, static_cast<std::size_t>(solvers::ZMode::Fixed),
-                            "height of the camera: an unknown, or known"));
+  settings.push_back(Section("solver").choice("z_mode", solvers::z_mode_names, solvers::ZMode::Fixed,
+                                              "height of the camera: an unknown, or known"));
   return settings;
 }
 
 }  // namespace
 
 std::vector<Setting> photo_settings() {
-  const sim::PhotoOptions photo;
-  const sim::Camera& camera = photo.camera;
+  const sim::PhotoOptions standard;
+  const sim::Camera& camera = standard.camera;
+  const Section photo("photo");
   return {
-      {"building", "map", Kind::Building, *find_building("paper"), 0, 0, {}, "1", "the map of the building"},
-      real("photo", "camera_height_m", photo.height_m, 0.1, 10, "m", "height of the camera above the floor"),
-      real("photo", "wall_distance_m", photo.wall_distance_m, 0, 10, "m", "the camera is no nearer to walls"),
-      integer("photo", "least_visible", photo.least_visible, 0, 12, "photos that show fewer objects are not taken"),
-      real("photo", "widest_spread_deg", photo.widest_spread_deg, 0.1, 180, "deg",
-           "photos count whose detections lie no further apart, left to right"),
-      real("photo", "farthest_m", camera.farthest_m, 1, 1000, "m", "objects further away are not told apart"),
-      real("photo", "smallest_box_px", camera.smallest_box_px, 1, 1000, "1", "nor are boxes lower than so many pixels"),
-      real("photo", "focal_length_mm", camera.focal_length_mm, 0.1, 1000, "mm", "focal length of the lens"),
-      real("photo", "pixel_um", camera.pixel_um, 0.1, 100, "um", "size of a pixel"),
-      real("photo", "width_px", camera.width_px, 16, 1e5, "1", "width of the picture in pixels"),
-      real("photo", "height_px", camera.height_px, 16, 1e5, "1", "height of the picture in pixels"),
-      real("photo", "zoom", camera.zoom, 1, 100, "1", "digital zoom: the middle part of the sensor, magnified"),
-      real("photo", "pitch_sigma_deg", photo.pitch_sigma_deg, 0, 20, "deg", "standard deviation of the camera's pitch"),
-      real("photo", "roll_sigma_deg", photo.roll_sigma_deg, 0, 20, "deg", "standard deviation of the camera's roll"),
+      Section("building").building("map", *find_building("paper"), "the map of the building"),
+      photo.real("camera_height_m", standard.height_m, {0.1, 10}, "m", "height of the camera above the floor"),
+      photo.real("wall_distance_m", standard.wall_distance_m, {0, 10}, "m", "the camera is no nearer to walls"),
+      photo.integer("least_visible", standard.least_visible, {0, 12}, "photos that show fewer objects are not taken"),
+      photo.real("widest_spread_deg", standard.widest_spread_deg, {0.1, 180}, "deg",
+                 "photos count whose detections lie no further apart, left to right"),
+      photo.real("farthest_m", camera.farthest_m, {1, 1000}, "m", "objects further away are not told apart"),
+      photo.real("smallest_box_px", camera.smallest_box_px, {1, 1000}, "1", "nor are boxes lower than so many pixels"),
+      photo.real("focal_length_mm", camera.focal_length_mm, {0.1, 1000}, "mm", "focal length of the lens"),
+      photo.real("pixel_um", camera.pixel_um, {0.1, 100}, "um", "size of a pixel"),
+      photo.real("width_px", camera.width_px, {16, 1e5}, "1", "width of the picture in pixels"),
+      photo.real("height_px", camera.height_px, {16, 1e5}, "1", "height of the picture in pixels"),
+      photo.real("zoom", camera.zoom, {1, 100}, "1", "digital zoom: the middle part of the sensor, magnified"),
+      photo.real("pitch_sigma_deg", standard.pitch_sigma_deg, {0, 20}, "deg",
+                 "standard deviation of the camera's pitch"),
+      photo.real("roll_sigma_deg", standard.roll_sigma_deg, {0, 20}, "deg", "standard deviation of the camera's roll"),
   };
 }
 
 std::vector<Setting> detector_settings() {
-  const sim::DetectorModel detector;
+  const sim::DetectorModel standard;
+  const Section detector("detector");
   return {
-      real("detector", "recall_near", detector.recall_near, 0, 1, "1", "share of objects detected near by"),
-      real("detector", "recall_far", detector.recall_far, 0, 1, "1", "share of objects detected further away"),
-      real("detector", "near_m", detector.near_m, 0, 1000, "m", "up to here is near"),
-      real("detector", "edge_sigma", detector.edge_sigma, 0, 0.5, "1",
-           "standard deviation of a box' edges, as a share of its size"),
-      real("detector", "outlier_rate", detector.outlier_rate, 0, 1, "1",
-           "share of boxes whose upper or lower edge is far off"),
-      {"detector",
-       "outlier_size",
-       Kind::Range,
-       Interval(detector.outlier_size),
-       0,
-       1,
-       {},
-       "1",
-       "by how much, as a share of the height"},
-      real("detector", "centre_sigma", detector.centre_sigma, 0, 1, "1",
-           "standard deviation of a box' centre beside that, as a share of its size"),
-      real("detector", "height_sigma", detector.height_sigma, 0, 1, "1",
-           "standard deviation of an object's height in the map, as a share of it"),
+      detector.real("recall_near", standard.recall_near, {0, 1}, "1", "share of objects detected near by"),
+      detector.real("recall_far", standard.recall_far, {0, 1}, "1", "share of objects detected further away"),
+      detector.real("near_m", standard.near_m, {0, 1000}, "m", "up to here is near"),
+      detector.real("edge_sigma", standard.edge_sigma, {0, 0.5}, "1",
+                    "standard deviation of a box' edges, as a share of its size"),
+      detector.real("outlier_rate", standard.outlier_rate, {0, 1}, "1",
+                    "share of boxes whose upper or lower edge is far off"),
+      detector.range("outlier_size", standard.outlier_size, {0, 1}, "1", "by how much, as a share of the height"),
+      detector.real("centre_sigma", standard.centre_sigma, {0, 1}, "1",
+                    "standard deviation of a box' centre beside that, as a share of its size"),
+      detector.real("height_sigma", standard.height_sigma, {0, 1}, "1",
+                    "standard deviation of an object's height in the map, as a share of it"),
   };
 }
 
 std::vector<Setting> recognition_settings() {
-  const sim::DetectorModel detector;
+  const sim::DetectorModel standard;
+  const Section detector("detector");
   const Condition if_coarse{"starts", {std::string(start_places_names[0])}};
-  const Condition if_scores{"scores", {std::string(score_names[1])}};
+  const Condition if_scores{"scores", {"detector"}};
   return {
-      read_if(if_coarse, real("detector", "false_class_rate", detector.false_class_rate, 0, 1, "1",
-                              "share of detections taken for another class")),
-      read_if(if_scores, real("detector", "score_low", detector.score_low, 0.01, 1, "1", "smallest score")),
-      read_if(if_scores, real("detector", "score_link", detector.score_link, 0, 1, "1",
-                              "share of scores that tell of the error of the box; the others tell nothing")),
+      read_if(if_coarse, detector.real("false_class_rate", standard.false_class_rate, {0, 1}, "1",
+                                       "share of detections taken for another class")),
+      read_if(if_scores, detector.real("score_low", standard.score_low, {0.01, 1}, "1", "smallest score")),
+      read_if(if_scores, detector.real("score_link", standard.score_link, {0, 1}, "1",
+                                       "share of scores that tell of the error of the box; the others tell nothing")),
   };
 }
 
@@ -201,7 +171,7 @@ std::span<const Setting> building_settings() {
 BuildingCell::BuildingCell(const Values& values)
     : photo(values),
       detections(count(values, "detections")),
-      has_scores(get<std::string>(values, "scores") == score_names[1]),
+      has_scores(get<std::string>(values, "scores") == "detector"),
       starts(chosen<StartPlaces>(values, "starts", start_places_names)),
       start_spacing_m(number(values, "start_spacing_m")),
       grid_spacing_m(number(values, "grid_spacing_m")),

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "solvers/solver.hpp"
+#include "studies/study/setting_builders.hpp"
 
 namespace ridgeloc::studies {
 
@@ -21,23 +22,25 @@ struct Option {
 /// Pseudoranges alone read it.
 const Condition for_pseudoranges{"model", {"pseudorange"}};
 
-Option number(const char* name, double SolverOptions::*member, double low, double high, const char* unit,
+const Section solver("solver");
+
+Option number(const char* name, double SolverOptions::*member, Interval bounds, const char* unit,
               const char* description) {
-  return {{"solver", name, Kind::Real, SolverOptions{}.*member, low, high, {}, unit, description, true},
+  return {solver.real(name, SolverOptions{}.*member, bounds, unit, description),
           [member](SolverOptions& options, const Value& value) { options.*member = std::get<double>(value); }};
 }
 
-Option integer(const char* name, int SolverOptions::*member, double low, double high, const char* description) {
-  return {{"solver", name, Kind::Integer, std::int64_t{SolverOptions{}.*member}, low, high, {}, "1", description, true},
+Option integer(const char* name, int SolverOptions::*member, Interval bounds, const char* description) {
+  return {solver.integer(name, SolverOptions{}.*member, bounds, description),
           [member](SolverOptions& options, const Value& value) {
             options.*member = static_cast<int>(std::get<std::int64_t>(value));
           }};
 }
 
-Option names(const char* name, std::vector<std::string> choices, std::size_t standard, const char* description,
-             const std::function<void(SolverOptions&, std::size_t)>& assign) {
-  const Setting setting{"solver", name, Kind::Choice, choices[standard], 0, 0, choices, "1", description, true};
-  return {setting, [choices, assign](SolverOptions& options, const Value& value) {
+Option one_of(const char* name, const std::vector<std::string>& choices, std::size_t standard, const char* description,
+              const std::function<void(SolverOptions&, std::size_t)>& assign) {
+  return {solver.choice(name, choices, choices[standard], description),
+          [choices, assign](SolverOptions& options, const Value& value) {
             const auto found = std::ranges::find(choices, std::get<std::string>(value));
             assign(options, static_cast<std::size_t>(found - choices.begin()));
           }};
@@ -47,21 +50,19 @@ Option names(const char* name, std::vector<std::string> choices, std::size_t sta
 template <class Enum, std::size_t N>
 Option choice(const char* name, Enum SolverOptions::*member, const std::array<std::string_view, N>& values,
               const char* description) {
-  return names(name, {values.begin(), values.end()}, static_cast<std::size_t>(SolverOptions{}.*member), description,
-               [member](SolverOptions& options, std::size_t i) { options.*member = static_cast<Enum>(i); });
+  return one_of(name, {values.begin(), values.end()}, static_cast<std::size_t>(SolverOptions{}.*member), description,
+                [member](SolverOptions& options, std::size_t i) { options.*member = static_cast<Enum>(i); });
 }
 
 /// An entry of a registry, by index.
 template <class Registry>
 Option entry(const char* name, std::size_t SolverOptions::*member, const Registry& registry, const char* description) {
-  std::vector<std::string> all;
-  for (const auto& e : registry) all.emplace_back(e.name);
-  return names(name, std::move(all), SolverOptions{}.*member, description,
-               [member](SolverOptions& options, std::size_t i) { options.*member = i; });
+  return one_of(name, names_of(registry), SolverOptions{}.*member, description,
+                [member](SolverOptions& options, std::size_t i) { options.*member = i; });
 }
 
 Option only_for_pseudoranges(Option option) {
-  option.setting.read_if = for_pseudoranges;
+  option.setting = read_if(for_pseudoranges, std::move(option.setting));
   return option;
 }
 
@@ -69,13 +70,13 @@ std::vector<Option> make_options() {
   using O = SolverOptions;
   namespace s = solvers;
   return {
-      integer("max_iterations", &O::max_iterations, 1, 1e6, "steps after which a trial has failed"),
-      number("step_tolerance_m", &O::step_tolerance_m, 1e-15, 1e3, "m", "converged when a step is shorter"),
+      integer("max_iterations", &O::max_iterations, {1, 1e6}, "steps after which a trial has failed"),
+      number("step_tolerance_m", &O::step_tolerance_m, {1e-15, 1e3}, "m", "converged when a step is shorter"),
       choice("start", &O::start, s::start_names, "first iterate: the scene's start, or a closed form"),
       choice("score_power", &O::score_power, s::score_power_names,
              "power of scores in weights: as printed, 2 but 1 in rrr's robust weights, or one for all"),
       choice("jacobian", &O::jacobian, s::jacobian_names, "rows of the Jacobian: exact, or eq. 6 as printed"),
-      number("sigma_prior_m", &O::sigma_prior_m, 1e-9, 1e6, "m",
+      number("sigma_prior_m", &O::sigma_prior_m, {1e-9, 1e6}, "m",
              "range error taken as known, by priors and sigma2_source = prior"),
       only_for_pseudoranges(
           choice("v_mode", &O::v_mode, s::v_mode_names, "image distance: an unknown, known, or known to 0.5 %")),
@@ -85,20 +86,20 @@ std::vector<Option> make_options() {
                                    "residual of a pseudorange: in range, or the quotient over 2 r")),
       choice("lm_variant", &O::lm_variant, s::lm_variant_names,
              "damping of lm: after a rejected step, always, or MINPACK's"),
-      number("trust_radius_m", &O::trust_radius_m, 1e-6, 1e6, "m", "longest first step of dogleg"),
+      number("trust_radius_m", &O::trust_radius_m, {1e-6, 1e6}, "m", "longest first step of dogleg"),
       entry("weight", &O::weight, s::weight_registry(), "robust weight of irls"),
-      number("tuning", &O::tuning, 0, 1e6, "1", "tuning constant of that weight; 0 is its own"),
+      number("tuning", &O::tuning, {0, 1e6}, "1", "tuning constant of that weight; 0 is its own"),
       choice("scale", &O::scale, s::scale_names, "scale of irls: 1.4826 median |e|, or scale_m"),
-      number("scale_m", &O::scale_m, 1e-9, 1e6, "m", "the constant of scale = fixed"),
-      number("theta_m", &O::theta_m, 1e-12, 1e6, "m", "robust weights of rrr: s / max(theta, |e|)"),
+      number("scale_m", &O::scale_m, {1e-9, 1e6}, "m", "the constant of scale = fixed"),
+      number("theta_m", &O::theta_m, {1e-12, 1e6}, "m", "robust weights of rrr: s / max(theta, |e|)"),
       choice("irls_residual", &O::irls_residual, s::irls_residual_names,
              "residuals in these weights: at the iterate, or after the least-squares step"),
-      integer("irls_min_n", &O::irls_min_n, 0, 1000,
+      integer("irls_min_n", &O::irls_min_n, {0, 1000},
               "number of points from which on rrr weighs; 0: more than unknowns"),
       choice("normalize_weights", &O::normalize_weights, s::normalize_weights_names,
              "scale the weights of rrr to a mean of 1"),
       entry("k", &O::k, s::k_estimator_registry(), "estimator of the ridge parameter K"),
-      number("k_fixed", &O::k_fixed, 0, 1e12, "1", "the constant of k = \"fixed\""),
+      number("k_fixed", &O::k_fixed, {0, 1e12}, "1", "the constant of k = \"fixed\""),
       choice("sigma2_source", &O::sigma2_source, s::sigma2_source_names,
              "variance in K: mean square after the least-squares step, linear over n - p, or sigma_prior_m"),
       choice("ridge_coords", &O::ridge_coordinates, s::ridge_coordinates_names,
@@ -106,7 +107,7 @@ std::vector<Option> make_options() {
       choice("ridge_anchor", &O::ridge_anchor, s::ridge_anchor_names,
              "what the ridge pulls to: the iterate, or the start"),
       choice("ols_mode", &O::ols_mode, s::ols_mode_names, "least squares before K: one step, or to the end"),
-      number("similarity", &O::similarity, 1e-6, 1, "1", "similarity of the oracles' K to the true K"),
+      number("similarity", &O::similarity, {1e-6, 1}, "1", "similarity of the oracles' K to the true K"),
       choice("k_error", &O::k_error, s::k_error_names,
              "signs of the error that brings the oracles' K to that similarity"),
       choice("k_error_draw", &O::k_error_draw, s::k_error_draw_names, "how often the direction of that error is drawn"),
@@ -133,14 +134,12 @@ const std::vector<std::string>& common_solver_settings() {
 
 std::vector<Setting> solver_settings() {
   std::vector<Setting> settings;
-  for (const Option& option : all_options()) settings.push_back(option.setting);
+  for (const Option& option : all_options()) settings.push_back(per_method(option.setting));
   return settings;
 }
 
 std::vector<std::string> solver_names() {
-  std::vector<std::string> names;
-  for (const auto& entry : solvers::solver_registry()) names.emplace_back(entry.name);
-  return names;
+  return names_of(solvers::solver_registry());
 }
 
 std::vector<std::string> settings_read_by(std::string_view solver) {

@@ -82,7 +82,7 @@ struct Setting {
   double low = 0.0;  ///< bounds of numbers and of both ends of an interval, inclusive
   double high = 0.0;
   std::vector<std::string> choices;
-  std::string unit;  ///< "1" where there is none
+  std::string unit = "1";
   std::string description;
   bool per_method = false;  ///< may also stand in a [[method]]
   Condition read_if = {};   ///< sweeping it where nothing reads it is an error

@@ -5,6 +5,7 @@
 #include "app/command_line.hpp"
 #include "core/random.hpp"
 #include "studies/registry.hpp"
+#include "studies/study/setting_builders.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -34,7 +35,7 @@ struct Sleeping : Experiment {
   int version() const override { return 1; }
   std::uint64_t block_trials() const override { return block_; }
   std::span<const Setting> settings() const override {
-    static const Setting nap{"bed", "nap_ms", Kind::Real, 1.0, 0, 1e6, {}, "ms", "how long a trial sleeps"};
+    static const Setting nap = Section("bed").real("nap_ms", 1, {0, 1e6}, "ms", "how long a trial sleeps");
     return {&nap, 1};
   }
   const results::Schema& schema() const override {
