@@ -1,7 +1,6 @@
 #include "tests/cli/program.hpp"
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -23,24 +22,15 @@ std::string contents(const fs::path& file) {
 
 }  // namespace
 
-WorkingFolder::WorkingFolder() {
-  std::string name = (fs::temp_directory_path() / "ridgeloc-cli-XXXXXX").string();
-  path_ = mkdtemp(name.data());
-}
-
-WorkingFolder::~WorkingFolder() {
-  fs::remove_all(path_);
-}
-
 Outcome WorkingFolder::ridgeloc(const std::string& arguments) const {
   return shell("'" RIDGELOC_PROGRAM "' " + arguments);
 }
 
 Outcome WorkingFolder::shell(const std::string& command) const {
-  const fs::path out = path_.string() + ".out";
-  const fs::path error = path_.string() + ".err";
+  const fs::path out = path().string() + ".out";
+  const fs::path error = path().string() + ".err";
   const std::string line =
-      "cd '" + path_.string() + "' && ( " + command + " ) > '" + out.string() + "' 2> '" + error.string() + "'";
+      "cd '" + path().string() + "' && ( " + command + " ) > '" + out.string() + "' 2> '" + error.string() + "'";
   const int status = std::system(line.c_str());
   Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(out), contents(error)};
   fs::remove(out);
@@ -49,20 +39,20 @@ Outcome WorkingFolder::shell(const std::string& command) const {
 }
 
 void WorkingFolder::write(const std::string& name, const std::string& text) const {
-  std::ofstream(path_ / name, std::ios::binary) << text;
+  std::ofstream(path() / name, std::ios::binary) << text;
 }
 
 std::string WorkingFolder::read(const std::string& name) const {
-  return contents(path_ / name);
+  return contents(path() / name);
 }
 
 bool WorkingFolder::has(const std::string& name) const {
-  return fs::exists(path_ / name);
+  return fs::exists(path() / name);
 }
 
 std::vector<std::string> WorkingFolder::entries() const {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(path_)) names.push_back(entry.path().filename().string());
+  for (const auto& entry : fs::directory_iterator(path())) names.push_back(entry.path().filename().string());
   std::ranges::sort(names);
   return names;
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/scratch_folder.hpp"
+
 namespace ridgeloc::tests {
 
 /// What a call of the program printed and how it ended.
@@ -16,11 +18,6 @@ struct Outcome {
 /// A folder of its own for each test, in which the program runs; removed at the end.
 class WorkingFolder {
  public:
-  WorkingFolder();
-  ~WorkingFolder();
-  WorkingFolder(const WorkingFolder&) = delete;
-  WorkingFolder& operator=(const WorkingFolder&) = delete;
-
   /// Runs `ridgeloc ARGUMENTS` through the shell, in this folder.
   Outcome ridgeloc(const std::string& arguments) const;
   /// Runs any shell command in this folder.
@@ -31,10 +28,10 @@ class WorkingFolder {
   bool has(const std::string& name) const;
   /// Names of all files and folders in here, sorted.
   std::vector<std::string> entries() const;
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return folder_.path(); }
 
  private:
-  std::filesystem::path path_;
+  ScratchFolder folder_;
 };
 
 bool contains(const std::string& text, const std::string& piece);

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::app;
@@ -14,12 +15,7 @@ using namespace ridgeloc::app;
 namespace {
 
 std::string complaint_of(const std::string& path, const std::function<void()>& read) {
-  try {
-    probe(path, read);
-  } catch (const core::InputError& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal_of([&] { probe(path, read); });
 }
 
 }  // namespace

@@ -8,13 +8,13 @@
 
 #include "results/util/digest.hpp"
 #include "tests/fuzz/read_everything.hpp"
-#include "tests/support/sample_study.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace fs = std::filesystem;
 using namespace ridgeloc;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const results::test::ScratchFolder folder;
+  const tests::ScratchFolder folder;
   const std::span bytes(reinterpret_cast<const char*>(data), size);
   const auto write = [&](const fs::path& path) -> std::ofstream {
     std::ofstream file(path, std::ios::binary);

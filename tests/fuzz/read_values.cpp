@@ -15,6 +15,7 @@
 #include "results/hdf5/hdf5.hpp"
 #include "tests/fuzz/read_everything.hpp"
 #include "tests/support/sample_result.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace fs = std::filesystem;
 using namespace ridgeloc;
@@ -161,9 +162,9 @@ void mend_digests(const fs::path& path) {
 
 /// A sample to start from, made once.
 const fs::path& sample() {
-  static const test::ScratchFolder folder;
+  static const tests::ScratchFolder folder;
   static const fs::path path = [] {
-    test::write_sample(folder / "sample.h5", test::sample_header());
+    tests::write_sample(folder / "sample.h5", tests::sample_header());
     return folder / "sample.h5";
   }();
   return path;
@@ -172,7 +173,7 @@ const fs::path& sample() {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const test::ScratchFolder folder;
+  const tests::ScratchFolder folder;
   const fs::path path = folder / "result.h5";
   fs::copy_file(sample(), path);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

@@ -2,8 +2,6 @@
 // would reach the same mean square of the cells' relative errors. Errors squared fall with 1 over the cost, so that the
 // ratio of the mean squares at equal cost is that of the costs at an equal mean square.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -16,10 +14,10 @@
 #include "studies/run/runner.hpp"
 #include "studies/study/capabilities.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -33,11 +31,11 @@ Spent run(const std::string& sweep, const std::string& amount) {
   const Study study = read_study(
       {"s", "s.toml", "experiment = \"ranging\"\naudit = 0\n" + amount + sweep + "[[method]]\nsolver = \"rrr\"\n"});
   const Plan plan = make_plan(study);
-  const fs::path output = fs::temp_directory_path() / ("ridgeloc-allocation-" + std::to_string(::getpid()) + ".h5");
+  const tests::ScratchFolder folder;
+  const std::filesystem::path output = folder / "result.h5";
   RunProgress progress;
   run_study(study, plan, everything(plan), output, *thread_queue(2), {}, progress, std::atomic<bool>(false));
   const results::Summary summary = results::read_result(output);
-  fs::remove(output);
   Spent spent;
   for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {
     const auto row = results::summary_row(summary.header, 0, summary.of(cell, 0), "error_all_m");

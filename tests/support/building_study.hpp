@@ -1,12 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/isa.hpp"
 #include "results/blocks/block.hpp"
 #include "results/tables/data_table.hpp"
@@ -16,6 +14,7 @@
 #include "studies/registry.hpp"
 #include "studies/solving/solver_settings.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace ridgeloc::tests {
@@ -36,12 +35,7 @@ inline std::vector<results::TrialColumns> columns_of(const studies::Study& study
 
 /// What is said to a study whose trials cannot be simulated; empty if they can.
 inline std::string error_of_block(const studies::Study& study) {
-  try {
-    columns_of(study, {0, 1});
-  } catch (const core::InputError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of([&] { columns_of(study, {0, 1}); });
 }
 
 inline studies::Replay replay_of(const studies::Study& study, std::uint64_t trial) {
@@ -71,10 +65,6 @@ inline std::size_t metric_of(const studies::Study& study, const std::string& nam
   const auto found = std::ranges::find(metrics, name, &results::MetricInfo::name);
   REQUIRE(found != metrics.end());
   return static_cast<std::size_t>(found - metrics.begin());
-}
-
-inline bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
 inline const results::DataTable& table_of(const std::vector<results::DataTable>& tables, const std::string& name) {

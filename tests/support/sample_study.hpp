@@ -3,12 +3,9 @@
 // methods of which one reports metrics alone, and values that exercise NaN, infinity and the limit of the
 // moments.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <filesystem>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <random>
@@ -19,54 +16,15 @@
 #include "results/blocks/block.hpp"
 #include "results/schema/schema.hpp"
 
-namespace ridgeloc::results::test {
-
-/// A folder of its own for each test, removed at its end.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "ridgeloc-test-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-/// What an exception says; empty if none is thrown.
-template <typename Action>
-std::string message_of(Action&& action) {
-  try {
-    action();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return {};
-}
-
-/// The first of the phrases that a message lacks, with the message; empty if it has all of them in one line.
-inline std::string lacking(const std::string& message, const std::vector<std::string>& phrases) {
-  for (const std::string& phrase : phrases)
-    if (message.find(phrase) == std::string::npos) return "no \"" + phrase + "\" in: " + message;
-  return message.find('\n') == std::string::npos ? "" : "several lines: " + message;
-}
+namespace ridgeloc::tests {
 
 inline constexpr std::uint64_t sample_block_trials = 16;
 /// Five whole blocks and one of six trials.
 inline constexpr std::uint64_t sample_trials = 5 * sample_block_trials + 6;
 inline constexpr std::uint64_t sample_blocks = 6;
 
-inline Header sample_header() {
-  Header header;
+inline results::Header sample_header() {
+  results::Header header;
   header.title = "Sample: µ and σ";
   header.aims = "Is µ < σ?";
   header.experiment = "sample";
@@ -90,12 +48,12 @@ inline Header sample_header() {
   header.schema.metrics[0].bound = "crb_m";
   header.schema.metrics[1].chi_square = 3;
   header.cells = {{"c0", {0, 0}}, {"c1", {0, 1}}, {"c2", {1, 0}}, {"c3", {1, 1}}, {"c4", {2, 1}}};
-  header.cells[1].bound = BoundKind::Quantiles;
-  header.cells[4].bound = BoundKind::RootMeanSquare;
+  header.cells[1].bound = results::BoundKind::Quantiles;
+  header.cells[4].bound = results::BoundKind::RootMeanSquare;
   header.methods = {{"ols", "m0", "ordinary least squares"},
                     {"rrr k=0.5", "m1", "robust ridge, \"k\" = 0.5"},
                     {"scene", "m2", "what no solver can change"}};
-  FigureSpec figure;
+  results::FigureSpec figure;
   figure.name = "error";
   figure.title = "Error";
   figure.x = "points";
@@ -105,7 +63,7 @@ inline Header sample_header() {
   figure.where = {{"points", {"3", "7"}}};
   figure.log_y = true;
   figure.bounds = false;
-  FigureSpec distribution;
+  results::FigureSpec distribution;
   distribution.name = "distribution";
   distribution.kind = "ecdf";
   distribution.y = {"error_m"};
@@ -113,13 +71,14 @@ inline Header sample_header() {
   return header;
 }
 
-inline std::uint64_t sample_trials_of(const Header& header, std::uint64_t block) {
+inline std::uint64_t sample_trials_of(const results::Header& header, std::uint64_t block) {
   return std::min(header.block_trials, header.trials - block * header.block_trials);
 }
 
 /// The same values for the same trial of the same cell, whatever block, study or call it is in.
-inline BlockSink sample_block(const Header& header, std::size_t cell, std::uint64_t block, std::uint64_t trials) {
-  BlockSink sink(header, cell, block, trials);
+inline results::BlockSink sample_block(const results::Header& header, std::size_t cell, std::uint64_t block,
+                                       std::uint64_t trials) {
+  results::BlockSink sink(header, cell, block, trials);
   const std::uint64_t key = std::hash<std::string>()(header.cells[cell].hash);
   const auto uniforms_of = [&](std::uint64_t method, std::uint64_t t) {
     const std::uint64_t trial = block * header.block_trials + t;
@@ -151,16 +110,16 @@ inline BlockSink sample_block(const Header& header, std::size_t cell, std::uint6
   return sink;
 }
 
-inline BlockSink sample_block(const Header& header, std::size_t cell, std::uint64_t block) {
+inline results::BlockSink sample_block(const results::Header& header, std::size_t cell, std::uint64_t block) {
   return sample_block(header, cell, block, sample_trials_of(header, block));
 }
 
 /// All blocks of the study as (cell, block).
-inline std::vector<std::pair<std::size_t, std::uint64_t>> sample_tasks(const Header& header) {
+inline std::vector<std::pair<std::size_t, std::uint64_t>> sample_tasks(const results::Header& header) {
   std::vector<std::pair<std::size_t, std::uint64_t>> tasks;
   for (std::size_t cell = 0; cell < header.cells.size(); ++cell)
     for (std::uint64_t block = 0; block * header.block_trials < header.trials; ++block) tasks.emplace_back(cell, block);
   return tasks;
 }
 
-}  // namespace ridgeloc::results::test
+}  // namespace ridgeloc::tests

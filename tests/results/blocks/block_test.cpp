@@ -9,6 +9,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/sample_study.hpp"
 
+using namespace ridgeloc;
 using namespace ridgeloc::results;
 
 namespace {
@@ -18,7 +19,7 @@ const std::vector<std::uint8_t> flags = {1, 0, 0, 1};
 const std::vector<double> errors = {0.5, std::nan(""), 2.0, 0.25};
 
 BlockSink filled(std::uint64_t block = 0) {
-  BlockSink sink(test::sample_header(), 1, block, 4);
+  BlockSink sink(tests::sample_header(), 1, block, 4);
   sink.status(0, codes);
   sink.event(0, 3, flags);
   sink.metric(0, 0, errors);
@@ -40,7 +41,7 @@ TEST_CASE("a block is reduced to counts and statistics per method") {
 }
 
 TEST_CASE("columns are kept for the first blocks alone") {
-  const Header header = test::sample_header();
+  const Header header = tests::sample_header();
   const std::vector<TrialColumns> kept = filled().take_columns();
   REQUIRE(kept.size() == 1);
   CHECK(kept[0].status == codes);
@@ -53,7 +54,7 @@ TEST_CASE("columns are kept for the first blocks alone") {
 
 TEST_CASE("the digest of a method changes with every value it was given") {
   const auto digest = [](std::uint8_t code, std::uint8_t flag, double error, std::size_t metric) {
-    BlockSink sink(test::sample_header(), 1, 0, 1);
+    BlockSink sink(tests::sample_header(), 1, 0, 1);
     sink.status(0, std::vector<std::uint8_t>{code});
     sink.event(0, 3, std::vector<std::uint8_t>{flag});
     sink.metric(0, metric, std::vector<double>{error});
@@ -70,10 +71,10 @@ TEST_CASE("the digest of a method changes with every value it was given") {
 TEST_CASE("a metric of few trials is reduced and kept as its full column would be") {
   const std::vector<std::size_t> trials = {1, 3};
   const std::vector<double> values = {0.5, 2.0};
-  BlockSink sink(test::sample_header(), 1, 0, 5);
+  BlockSink sink(tests::sample_header(), 1, 0, 5);
   sink.sparse_metric(0, 1, trials, values);
   const auto digest = [&](std::vector<std::size_t> which, std::vector<double> what, std::size_t metric) {
-    BlockSink other(test::sample_header(), 1, 0, 5);
+    BlockSink other(tests::sample_header(), 1, 0, 5);
     other.sparse_metric(0, metric, which, what);
     return other.take_rows()[0].digests.at(0);
   };
@@ -90,25 +91,25 @@ TEST_CASE("a metric of few trials is reduced and kept as its full column would b
   CHECK(digest({1, 3}, {0.5, 2.5}, 1) != rows[0].digests.at(0));
   CHECK(digest({1, 3}, {0.5, 2.0}, 0) != rows[0].digests.at(0));
   // None at all: the block still reports the metric.
-  BlockSink empty(test::sample_header(), 1, 0, 5);
+  BlockSink empty(tests::sample_header(), 1, 0, 5);
   empty.sparse_metric(0, 1, {}, {});
   CHECK(empty.take_columns()[0].metrics[1].size() == 5);
 }
 
 TEST_CASE("misuse of a block is refused") {
-  BlockSink sink(test::sample_header(), 1, 0, 4);
+  BlockSink sink(tests::sample_header(), 1, 0, 4);
   CHECK_THROWS_AS(sink.metric(0, 0, std::vector<double>(3)), std::invalid_argument);
   CHECK_THROWS_AS(sink.sparse_metric(0, 0, std::vector<std::size_t>{4}, std::vector<double>(1)), std::invalid_argument);
   CHECK_THROWS_AS(sink.sparse_metric(0, 0, std::vector<std::size_t>{3}, std::vector<double>(2)), std::invalid_argument);
   CHECK_THROWS_AS(sink.status(0, std::vector<std::uint8_t>(4, 3)), std::invalid_argument);
   CHECK_THROWS_AS(sink.event(0, 1, flags), std::invalid_argument);
   CHECK_THROWS_AS(sink.event(0, 4, flags), std::invalid_argument);
-  CHECK_THROWS_AS(BlockSink(test::sample_header(), 5, 0, 4), std::invalid_argument);
-  CHECK_THROWS_AS(BlockSink(test::sample_header(), 0, 0, test::sample_block_trials + 1), std::invalid_argument);
+  CHECK_THROWS_AS(BlockSink(tests::sample_header(), 5, 0, 4), std::invalid_argument);
+  CHECK_THROWS_AS(BlockSink(tests::sample_header(), 0, 0, tests::sample_block_trials + 1), std::invalid_argument);
 }
 
 TEST_CASE("a difference of two methods is taken trial by trial, over the trials that both have") {
-  Header header = test::sample_header();
+  Header header = tests::sample_header();
   header.schema.metrics[0].is_compared = true;
   header.methods.push_back({"rrr - ols", "d", "", std::array<std::size_t, 2>{1, 0}});
   BlockSink sink(header, 0, 0, 4, {{0, BlockMethods::unwanted}, {{3, 1, 0}}});

@@ -6,7 +6,9 @@
 #include "results/store/result_file.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/sample_result.hpp"
+#include "tests/support/scratch_folder.hpp"
 
+using namespace ridgeloc;
 using namespace ridgeloc::results;
 
 namespace {
@@ -40,14 +42,14 @@ TEST_CASE("a failure list keeps the lowest trials of each key, in whatever order
 }
 
 TEST_CASE("reasons are the statuses that are failures, then the metrics that raise an alarm") {
-  Header header = test::sample_header();
+  Header header = tests::sample_header();
   CHECK(failure_reasons(header.schema) == std::vector<std::string>{"diverged"});
   header.schema.metrics[1].alarm = "checked";
   CHECK(failure_reasons(header.schema) == std::vector<std::string>{"diverged", "iterations"});
 }
 
 TEST_CASE("a block lists its failed trials and alarms by their number in the cell") {
-  Header header = test::sample_header();
+  Header header = tests::sample_header();
   header.schema.metrics[0].alarm = "checked";
   header.schema.metrics[1].alarm = "checked too";
   BlockSink sink(header, 2, 3, 5, {{1, BlockMethods::unwanted}, {}});
@@ -57,7 +59,7 @@ TEST_CASE("a block lists its failed trials and alarms by their number in the cel
     sink.metric(method, 0, std::vector<double>{0.0, 1.0, std::nan(""), 0.5, 1.0});
     sink.sparse_metric(method, 1, std::vector<std::size_t>{1, 4}, std::vector<double>{0.0, 1.0});
   }
-  const std::uint64_t first = 3 * test::sample_block_trials;
+  const std::uint64_t first = 3 * tests::sample_block_trials;
   const auto trials = sink.take_failures().trials();
   REQUIRE(trials.size() == 3);  // nothing of the unwanted method
   CHECK(trials.at({2, 1, 0}) == std::vector<std::uint64_t>{first, first + 3});
@@ -66,9 +68,9 @@ TEST_CASE("a block lists its failed trials and alarms by their number in the cel
 }
 
 TEST_CASE("a result lists the failures that its trials have") {
-  const test::ScratchFolder folder;
-  const Header header = test::sample_header();
-  test::write_sample(folder / "result.h5", header);
+  const tests::ScratchFolder folder;
+  const Header header = tests::sample_header();
+  tests::write_sample(folder / "result.h5", header);
   const FailureList failures = read_result_failures(folder / "result.h5");
   const Summary summary = read_result(folder / "result.h5");
   std::size_t listed = 0;

@@ -10,7 +10,9 @@
 #include "results/hdf5/hdf5.hpp"
 #include "results/store/ledger_file.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/sample_study.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::results;
@@ -18,7 +20,7 @@ using namespace ridgeloc::results;
 namespace {
 
 Row block_row(const Header& header, std::uint64_t block, std::size_t method = 0) {
-  return test::sample_block(header, 0, block).take_rows()[method];
+  return tests::sample_block(header, 0, block).take_rows()[method];
 }
 
 std::vector<Row> rows_of(const Ledger& ledger) {
@@ -26,7 +28,7 @@ std::vector<Row> rows_of(const Ledger& ledger) {
 }
 
 Header long_header(std::uint64_t blocks) {
-  Header header = test::sample_header();
+  Header header = tests::sample_header();
   header.trials = blocks * header.block_trials;
   return header;
 }
@@ -64,9 +66,9 @@ TEST_CASE("a row is its left half merged with its right half") {
 }
 
 TEST_CASE("the rows of a ledger do not depend on the order of arrival") {
-  const Header header = test::sample_header();
+  const Header header = tests::sample_header();
   std::vector<Row> blocks;
-  for (std::uint64_t b = 0; b < test::sample_blocks; ++b) blocks.push_back(block_row(header, b));
+  for (std::uint64_t b = 0; b < tests::sample_blocks; ++b) blocks.push_back(block_row(header, b));
   Ledger reference(header.block_trials);
   for (const Row& row : blocks) reference.insert(row);
   std::mt19937 engine(1);
@@ -91,7 +93,7 @@ TEST_CASE("rows of a ledger grow with the logarithm of the trials") {
 }
 
 TEST_CASE("a whole block supersedes a partial one, and not the other way round") {
-  Header header = test::sample_header();
+  Header header = tests::sample_header();
   const Row partial = block_row(header, 5);
   header.trials = 6 * header.block_trials;
   const Row whole = block_row(header, 5);
@@ -121,7 +123,7 @@ TEST_CASE("a block given twice must have the same digest") {
   Row other = block_row(header, 2);
   other.digests[0] ^= 1;
   CHECK_THROWS_AS(ledger.insert(other), core::IoError);
-  CHECK(test::lacking(test::message_of([&] { ledger.insert(other); }), {"block 2 of cell 0, method 0"}) == "");
+  CHECK(tests::lacking(tests::message_of([&] { ledger.insert(other); }), {"block 2 of cell 0, method 0"}) == "");
 
   Ledger reverse(header.block_trials);
   reverse.insert(other);
@@ -176,16 +178,16 @@ TEST_CASE("a coverage agrees with a plain list of the trials of each block") {
 }
 
 TEST_CASE("rows of one method that cannot be added up are refused when they are read") {
-  const test::ScratchFolder folder;
-  const Header header = test::sample_header();
+  const tests::ScratchFolder folder;
+  const Header header = tests::sample_header();
   Ledger ledger(header.block_trials);
   for (const std::uint64_t block : {0, 2}) {
-    Row row = test::sample_block(header, 0, block).take_rows()[0];
+    Row row = tests::sample_block(header, 0, block).take_rows()[0];
     REQUIRE_FALSE(row.statistics.events.empty());
     if (block == 2) row.statistics.events.clear();
     ledger.insert(std::move(row));
   }
   hdf5::File file = hdf5::File::create(folder / "a.h5");
   write_ledger(file, ledger, header.schema);
-  CHECK(test::lacking(test::message_of([&] { read_ledger(file, header); }), {"with and without events"}) == "");
+  CHECK(tests::lacking(tests::message_of([&] { read_ledger(file, header); }), {"with and without events"}) == "");
 }

@@ -11,11 +11,12 @@
 #include "results/figures/figure_data.hpp"
 #include "results/statistics/interval.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/sample_study.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/support/synthetic_summary.hpp"
 
 namespace {
 
+using namespace ridgeloc;
 using namespace ridgeloc::results;
 
 /// The synthetic summary, whose errors have a bound of 0.1 to 0.9 m times the noise, reported by a label of its own.
@@ -184,7 +185,7 @@ TEST_CASE("what all cells of a figure share stands under its title") {
 }
 
 TEST_CASE("bounds and conditions are drawn") {
-  const test::ScratchFolder folder;
+  const tests::ScratchFolder folder;
   FigureSpec spec = error_figure();
   spec.statistic = GENERATE("", "rms");
   spec.log_y = GENERATE(false, true);

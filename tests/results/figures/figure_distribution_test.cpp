@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "results/figures/figure_layout.hpp"
 #include "results/statistics/interval.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/synthetic_summary.hpp"
 
 namespace {
@@ -158,12 +158,7 @@ TEST_CASE("what a distribution cannot show is refused") {
     FigureSpec spec = distribution_spec("ecdf");
     Summary summary = synthetic_summary();
     change(spec, summary);
-    try {
-      figure_data(summary, spec);
-    } catch (const core::InputError& error) {
-      return error.what();
-    }
-    return "";
+    return tests::refusal_of([&] { figure_data(summary, spec); });
   };
   CHECK(message_of([](FigureSpec& s, Summary&) { s.kind = "ecfd"; }) ==
         "figure 'errors': kind = \"ecfd\" is unknown; valid names: ecdf, curve, histogram");

@@ -1,7 +1,5 @@
 #include "results/figures/figure.hpp"
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -12,6 +10,8 @@
 #include "core/error.hpp"
 #include "results/figures/figure_data.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/support/synthetic_summary.hpp"
 
 namespace {
@@ -32,20 +32,8 @@ FigureSpec synthetic_spec() {
 }
 
 std::string message_of(const FigureSpec& spec) {
-  try {
-    figure_data(synthetic_summary(), spec);
-  } catch (const core::InputError& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal_of([&] { figure_data(synthetic_summary(), spec); });
 }
-
-/// A folder that goes with the test.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("ridgeloc_figure_test_" + std::to_string(getpid()));
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-};
 
 std::string content(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -157,7 +145,7 @@ TEST_CASE("a metric that no method reports cannot be drawn") {
 }
 
 TEST_CASE("figures are drawn in all three formats and leave nothing else behind") {
-  const Folder folder;
+  const tests::ScratchFolder folder;
   FigureSpec spec = synthetic_spec();
   spec.title = "it's 100% \"odd\": `touch x` $(y) \\n {a}_b^c @d # e";
   spec.log_y = GENERATE(false, true);
@@ -166,37 +154,37 @@ TEST_CASE("figures are drawn in all three formats and leave nothing else behind"
     const char* magic;
   } formats[] = {{".svg", "<?xml"}, {".pdf", "%PDF"}, {".png", "\x89PNG"}};
   for (const auto& format : formats) {
-    draw_figure(synthetic_summary(), spec, folder.path / (std::string("figure") + format.extension));
-    CHECK(content(folder.path / (std::string("figure") + format.extension)).find(format.magic) == 0);
+    draw_figure(synthetic_summary(), spec, folder / (std::string("figure") + format.extension));
+    CHECK(content(folder / (std::string("figure") + format.extension)).find(format.magic) == 0);
   }
-  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 3);
-  const std::string svg = content(folder.path / "figure.svg");
+  CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 3);
+  const std::string svg = content(folder / "figure.svg");
   CHECK(svg.find("`touch x` $(y) \\n {a}_b^c @d # e") != std::string::npos);
   CHECK(svg.find("range noise [m]") != std::string::npos);
 }
 
 TEST_CASE("distributions are drawn, with logarithmic shares too") {
-  const Folder folder;
+  const tests::ScratchFolder folder;
   FigureSpec spec = synthetic_spec();
   spec.x.clear();
   spec.group = {"points", "range_sigma_m"};
   spec.kind = GENERATE("ecdf", "histogram");
   spec.methods = {"rr"};
   spec.log_y = GENERATE(false, true);
-  draw_figure(synthetic_summary(), spec, folder.path / "figure.svg");
-  CHECK(content(folder.path / "figure.svg").find("share of the values") != std::string::npos);
+  draw_figure(synthetic_summary(), spec, folder / "figure.svg");
+  CHECK(content(folder / "figure.svg").find("share of the values") != std::string::npos);
 }
 
 TEST_CASE("a figure whose points are all infinite still shows its axes") {
-  const Folder folder;
+  const tests::ScratchFolder folder;
   Summary summary = synthetic_summary();
   const double infinity = std::numeric_limits<double>::infinity();
   for (Statistics& statistics : summary.statistics)
     statistics.metrics[1] = statistics_of(std::vector{infinity, infinity});
   FigureSpec spec = synthetic_spec();
   spec.y = {"error_all_m"};
-  draw_figure(summary, spec, folder.path / "axes.svg");
-  CHECK(content(folder.path / "axes.svg").find("infinite") != std::string::npos);
+  draw_figure(summary, spec, folder / "axes.svg");
+  CHECK(content(folder / "axes.svg").find("infinite") != std::string::npos);
 }
 
 TEST_CASE("an unknown file extension is refused") {

@@ -6,14 +6,15 @@
 #include "core/error.hpp"
 #include "results/hdf5/hdf5_handle.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/sample_study.hpp"
+#include "tests/support/message_of.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::results;
 namespace fs = std::filesystem;
 
 TEST_CASE("HDF5: datasets and attributes come back as they were written") {
-  const test::ScratchFolder folder;
+  const tests::ScratchFolder folder;
   const std::vector<double> reals = {0.1, -0.0, std::numeric_limits<double>::infinity(), 5e-324, 1e308, 2.0};
   const std::vector<std::uint64_t> counts = {0, std::numeric_limits<std::uint64_t>::max()};
   const std::vector<std::int64_t> integers = {-1, std::numeric_limits<std::int64_t>::min()};
@@ -68,7 +69,7 @@ TEST_CASE("HDF5: datasets and attributes come back as they were written") {
 }
 
 TEST_CASE("HDF5: the digest sees names, types, shapes and values, and not provenance or attributes") {
-  const test::ScratchFolder folder;
+  const tests::ScratchFolder folder;
   const auto digest_of = [&](auto&& fill) {
     hdf5::File file = hdf5::File::create(folder / "d.h5");
     fill(file);
@@ -89,9 +90,9 @@ TEST_CASE("HDF5: the digest sees names, types, shapes and values, and not proven
 }
 
 TEST_CASE("HDF5: failures are one line that names the file and the object") {
-  const test::ScratchFolder folder;
+  const tests::ScratchFolder folder;
   const auto lacking = [](auto&& action, const std::string& object) {
-    return test::lacking(test::message_of(action), {object, "a.h5"});
+    return tests::lacking(tests::message_of(action), {object, "a.h5"});
   };
   CHECK(lacking([&] { hdf5::File::open(folder / "a.h5"); }, "the file") == "");
   hdf5::File file = hdf5::File::create(folder / "a.h5");
@@ -113,7 +114,7 @@ TEST_CASE("HDF5: failures are one line that names the file and the object") {
 }
 
 TEST_CASE("an extent that no stored bytes can fill is refused before memory is asked for") {
-  const test::ScratchFolder folder;
+  const tests::ScratchFolder folder;
   const fs::path path = folder / "a.h5";
   const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   const hsize_t extent = hsize_t{1} << 40;
@@ -129,6 +130,6 @@ TEST_CASE("an extent that no stored bytes can fill is refused before memory is a
   H5Pclose(properties);
   H5Sclose(space);
   H5Fclose(file);
-  const std::string message = test::message_of([&] { hdf5::File::open(path).read<std::uint64_t>("/x"); });
-  CHECK(test::lacking(message, {"cannot read /x", "the file is too small for its size"}) == "");
+  const std::string message = tests::message_of([&] { hdf5::File::open(path).read<std::uint64_t>("/x"); });
+  CHECK(tests::lacking(message, {"cannot read /x", "the file is too small for its size"}) == "");
 }

@@ -1,7 +1,5 @@
 #include "results/pictures/drawing.hpp"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +11,7 @@
 #include "results/pictures/drawing_layout.hpp"
 #include "results/pictures/drawing_script.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
@@ -123,8 +122,7 @@ TEST_CASE("the script of a picture holds its lines, marks, contours and texts") 
 }
 
 TEST_CASE("a picture is drawn in all three formats, an empty one too") {
-  const fs::path folder = fs::temp_directory_path() / ("ridgeloc_drawing_test_" + std::to_string(getpid()));
-  fs::create_directories(folder);
+  const tests::ScratchFolder folder;
   Drawing empty;
   for (const char* name : {"a.svg", "a.pdf", "a.png"}) {
     draw(sample(), folder / name);
@@ -133,9 +131,8 @@ TEST_CASE("a picture is drawn in all three formats, an empty one too") {
   std::ifstream in(folder / "a.svg");
   const std::string svg{std::istreambuf_iterator<char>(in), {}};
   CHECK(contains(svg, "it's a scene"));
-  CHECK(std::distance(fs::directory_iterator(folder), fs::directory_iterator()) == 6);
+  CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 6);
   CHECK_THROWS_AS(draw(sample(), folder / "a.jpg"), core::InputError);
-  fs::remove_all(folder);
 }
 
 }  // namespace

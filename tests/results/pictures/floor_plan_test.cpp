@@ -1,8 +1,5 @@
 #include "results/pictures/floor_plan.hpp"
 
-#include <unistd.h>
-
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -11,12 +8,12 @@
 #include "core/error.hpp"
 #include "results/pictures/floor_plan_script.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
 using namespace ridgeloc;
 using namespace ridgeloc::results;
-namespace fs = std::filesystem;
 
 /// A room of 10 x 5 with a panel of places and one of tiles; one place of each lies outside of the window.
 FloorPlan sample() {
@@ -88,8 +85,7 @@ TEST_CASE("keys stand beside samples of their marks") {
 }
 
 TEST_CASE("a floor plan is drawn in all three formats, whatever lies outside of its window") {
-  const fs::path folder = fs::temp_directory_path() / ("ridgeloc_floor_plan_test_" + std::to_string(getpid()));
-  fs::create_directories(folder);
+  const tests::ScratchFolder folder;
   for (const char* name : {"a.svg", "a.pdf", "a.png"}) draw(sample(), folder / name);
   const auto text_of = [&](const char* name) {
     std::ifstream in(folder / name, std::ios::binary);
@@ -111,5 +107,4 @@ TEST_CASE("a floor plan is drawn in all three formats, whatever lies outside of 
   CHECK_THROWS_AS(draw(sample(), folder / "a.jpg"), core::InputError);
   bare.panels.clear();
   CHECK_THROWS_AS(draw(bare, folder / "none.svg"), std::invalid_argument);
-  fs::remove_all(folder);
 }

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
 
 namespace {
 
@@ -18,15 +19,11 @@ TEST_CASE("strings are quoted so that gnuplot changes nothing in them") {
 }
 
 TEST_CASE("a script that fails is an I/O error with gnuplot's message on one line") {
-  try {
-    run_gnuplot("set terminal dumb\nplot nonsense(x)\n");
-    FAIL("no error");
-  } catch (const core::IoError& error) {
-    const std::string message = error.what();
-    CHECK(message.find("gnuplot failed: ") == 0);
-    CHECK(message.find("undefined function: nonsense") != std::string::npos);
-    CHECK(message.find('\n') == std::string::npos);
-  }
+  const std::string message =
+      tests::message_of<core::IoError>([] { run_gnuplot("set terminal dumb\nplot nonsense(x)\n"); });
+  CHECK(message.find("gnuplot failed: ") == 0);
+  CHECK(message.find("undefined function: nonsense") != std::string::npos);
+  CHECK(message.find('\n') == std::string::npos);
 }
 
 TEST_CASE("a script that works is silent") {
@@ -36,12 +33,7 @@ TEST_CASE("a script that works is silent") {
 TEST_CASE("without gnuplot the message names the package") {
   const std::string path = std::getenv("PATH");
   setenv("PATH", "/nonexistent", 1);
-  std::string message;
-  try {
-    run_gnuplot("x = 1\n");
-  } catch (const core::InputError& error) {
-    message = error.what();
-  }
+  const std::string message = tests::refusal_of([] { run_gnuplot("x = 1\n"); });
   setenv("PATH", path.c_str(), 1);
   CHECK(message.find("gnuplot-nox") != std::string::npos);
 }

@@ -17,6 +17,7 @@
 #include "results/util/shell.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/sample_result.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/support/synthetic_summary.hpp"
 
 using namespace ridgeloc;
@@ -106,11 +107,11 @@ TEST_CASE("a word of a shell is quoted where it must be") {
 }
 
 TEST_CASE("a report says what was studied, where the numbers come from and how to make them again") {
-  const test::ScratchFolder folder;
-  Header header = test::sample_header();
+  const tests::ScratchFolder folder;
+  Header header = tests::sample_header();
   header.figures.clear();
   const std::string path = (folder / "a result.h5").string();
-  test::write_sample(path, header);
+  tests::write_sample(path, header);
   const std::string html = report_html({read_report_source(path)});
 
   for (const char* text : {"<title>Sample: µ and σ</title>", "Is µ &lt; σ?", "18446744073709551615", "Philox4x32-10",
@@ -130,9 +131,9 @@ TEST_CASE("a report says what was studied, where the numbers come from and how t
 }
 
 TEST_CASE("a report names the worst trials of each solver, infinite ones first") {
-  const test::ScratchFolder folder;
-  const Header header = test::sample_header();
-  test::write_sample(folder / "r.h5", header);
+  const tests::ScratchFolder folder;
+  const Header header = tests::sample_header();
+  tests::write_sample(folder / "r.h5", header);
   const ReportSource source = read_report_source((folder / "r.h5").string());
   CHECK(source.worst_metric == 0);
   REQUIRE(source.worst.size() == 10);
@@ -294,7 +295,7 @@ TEST_CASE("a figure that cannot be made of the result is replaced by the reason"
 }
 
 TEST_CASE("what is no result gets no report") {
-  const test::ScratchFolder folder;
+  const tests::ScratchFolder folder;
   CHECK_THROWS_AS(read_report_source((folder / "missing.h5").string()), core::InputError);
   std::ofstream(folder / "text.h5") << "text";
   CHECK_THROWS_AS(read_report_source((folder / "text.h5").string()), core::InputError);

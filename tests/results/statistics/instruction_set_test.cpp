@@ -12,9 +12,11 @@
 #include "results/statistics/extremes.hpp"
 #include "results/statistics/statistics.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/same_bits.hpp"
 
 namespace {
 
+using namespace ridgeloc;
 using namespace ridgeloc::results;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -80,9 +82,7 @@ Histogram plain_histogram(const std::vector<double>& values) {
   return {first, std::move(filled)};
 }
 
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
+using tests::same_bits;
 
 bool same_bits(const Moments& a, const Moments& b) {
   return a.n == b.n && same_bits(a.mean, b.mean) && same_bits(a.m2, b.m2) && same_bits(a.m3, b.m3) &&

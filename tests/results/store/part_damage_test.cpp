@@ -6,18 +6,20 @@
 #include "results/store/result_writer.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/sample_study.hpp"
+#include "tests/support/scratch_folder.hpp"
 
+using namespace ridgeloc;
 using namespace ridgeloc::results;
 namespace fs = std::filesystem;
 
 TEST_CASE("a changed bit in any byte of a part is found, and never reaches HDF5") {
-  const test::ScratchFolder folder;
-  const Header header = test::sample_header();
+  const tests::ScratchFolder folder;
+  const Header header = tests::sample_header();
   const fs::path path = folder / "result.h5";
   {
     ResultWriter writer(path, header);
     std::vector<BlockSink> blocks;
-    blocks.push_back(test::sample_block(header, 0, 0));
+    blocks.push_back(tests::sample_block(header, 0, 0));
     writer.add(std::move(blocks));
   }
   REQUIRE(headers_at(path).size() == 1);

@@ -3,7 +3,6 @@
 #include <sys/stat.h>
 
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -12,7 +11,10 @@
 #include "core/error.hpp"
 #include "results/hdf5/hdf5.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
+#include "tests/support/same_bits.hpp"
 #include "tests/support/sample_result.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::results;
@@ -30,17 +32,13 @@ void damage_text(const fs::path& path, const std::string& text) {
   file.put(static_cast<char>(text[0] ^ 1));
 }
 
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-}
-
 }  // namespace
 
 TEST_CASE("a sealed result gives back its header") {
-  const test::ScratchFolder folder;
-  Header header = test::sample_header();
+  const tests::ScratchFolder folder;
+  Header header = tests::sample_header();
   header.axes[1].values = {0.1, std::string("street")};
-  test::write_sample(folder / "r.h5", header);
+  tests::write_sample(folder / "r.h5", header);
   const Header read = read_result_header(folder / "r.h5");
 
   CHECK(read.title == header.title);
@@ -108,12 +106,12 @@ TEST_CASE("a sealed result gives back its header") {
 }
 
 TEST_CASE("a sealed result gives back the totals and the rows behind them") {
-  const test::ScratchFolder folder;
-  const Header header = test::sample_header();
-  test::write_sample(folder / "r.h5", header);
+  const tests::ScratchFolder folder;
+  const Header header = tests::sample_header();
+  tests::write_sample(folder / "r.h5", header);
   Ledger expected(header.block_trials);
-  for (const auto& [cell, block] : test::sample_tasks(header))
-    for (Row& row : test::sample_block(header, cell, block).take_rows()) expected.insert(std::move(row));
+  for (const auto& [cell, block] : tests::sample_tasks(header))
+    for (Row& row : tests::sample_block(header, cell, block).take_rows()) expected.insert(std::move(row));
 
   const Ledger ledger = read_result_ledger(folder / "r.h5");
   CHECK(std::vector<Row>(ledger.rows().begin(), ledger.rows().end()) ==
@@ -125,8 +123,8 @@ TEST_CASE("a sealed result gives back the totals and the rows behind them") {
 }
 
 TEST_CASE("a sealed result gives back its provenance") {
-  const test::ScratchFolder folder;
-  test::write_sample(folder / "r.h5", test::sample_header());
+  const tests::ScratchFolder folder;
+  tests::write_sample(folder / "r.h5", tests::sample_header());
   const Provenance read = read_provenance(folder / "r.h5");
   CHECK(read.program_version == "0.1.0");
   CHECK(read.processor == processor_model());
@@ -140,9 +138,9 @@ TEST_CASE("a sealed result gives back its provenance") {
 }
 
 TEST_CASE("a sealed result gives back the kept trials") {
-  const test::ScratchFolder folder;
-  const Header header = test::sample_header();
-  test::write_sample(folder / "r.h5", header);
+  const tests::ScratchFolder folder;
+  const Header header = tests::sample_header();
+  tests::write_sample(folder / "r.h5", header);
   const TrialTable table = read_trials(folder / "r.h5", 3, 1);
   REQUIRE(table.trial.size() == header.trial_column_blocks * header.block_trials);
   for (std::uint64_t t = 0; t < table.trial.size(); ++t) REQUIRE(table.trial[t] == t);
@@ -150,12 +148,12 @@ TEST_CASE("a sealed result gives back the kept trials") {
   std::vector<std::uint8_t> status;
   std::vector<double> error;
   for (std::uint64_t block = 0; block < header.trial_column_blocks; ++block) {
-    const TrialColumns columns = test::sample_block(header, 3, block).take_columns()[1];
+    const TrialColumns columns = tests::sample_block(header, 3, block).take_columns()[1];
     status.insert(status.end(), columns.status.begin(), columns.status.end());
     error.insert(error.end(), columns.metrics[0].begin(), columns.metrics[0].end());
   }
   CHECK(table.status == status);
-  CHECK(same_bits(table.metrics[0], error));
+  CHECK(tests::same_bits(table.metrics[0], error));
   CHECK(table.metrics[2].empty());
 
   const TrialTable scene = read_trials(folder / "r.h5", 3, 2);
@@ -166,13 +164,13 @@ TEST_CASE("a sealed result gives back the kept trials") {
 }
 
 TEST_CASE("a study without sweep and without kept trials is a result like any other") {
-  const test::ScratchFolder folder;
-  Header header = test::sample_header();
+  const tests::ScratchFolder folder;
+  Header header = tests::sample_header();
   header.axes.clear();
   header.cells = {{"only", {}}};
   header.figures.clear();
   header.trial_column_blocks = 0;
-  test::write_sample(folder / "r.h5", header);
+  tests::write_sample(folder / "r.h5", header);
   const Summary summary = read_result(folder / "r.h5");
   CHECK(summary.header.axes.empty());
   CHECK(summary.of(0, 0).trials == header.trials);
@@ -182,9 +180,9 @@ TEST_CASE("a study without sweep and without kept trials is a result like any ot
 }
 
 TEST_CASE("totals that have changed since the result was sealed are not read") {
-  const test::ScratchFolder folder;
-  const Header header = test::sample_header();
-  test::write_sample(folder / "r.h5", header);
+  const tests::ScratchFolder folder;
+  const Header header = tests::sample_header();
+  tests::write_sample(folder / "r.h5", header);
   const double value = read_result(folder / "r.h5").of(0, 0).metrics[0].min;
   std::fstream file(folder / "r.h5", std::ios::in | std::ios::out | std::ios::binary);
   std::string bytes(fs::file_size(folder / "r.h5"), '\0');
@@ -201,20 +199,20 @@ TEST_CASE("totals that have changed since the result was sealed are not read") {
 }
 
 TEST_CASE("the digest of a result ignores provenance, title and figures, and not the numbers") {
-  const test::ScratchFolder folder;
-  Header header = test::sample_header();
-  test::write_sample(folder / "a.h5", header);
+  const tests::ScratchFolder folder;
+  Header header = tests::sample_header();
+  tests::write_sample(folder / "a.h5", header);
   header.title = "another";
   header.figures.clear();
-  test::write_sample(folder / "b.h5", header);
+  tests::write_sample(folder / "b.h5", header);
   CHECK(data_digest(folder / "a.h5") == data_digest(folder / "b.h5"));
   header.trials -= 1;
-  test::write_sample(folder / "c.h5", header);
+  tests::write_sample(folder / "c.h5", header);
   CHECK(data_digest(folder / "a.h5") != data_digest(folder / "c.h5"));
 }
 
 TEST_CASE("what is no readable result is refused with a line that says so") {
-  const test::ScratchFolder folder;
+  const tests::ScratchFolder folder;
   const fs::path path = folder / "r.h5";
   std::string reason;
   SECTION("missing") {
@@ -244,7 +242,7 @@ TEST_CASE("what is no readable result is refused with a line that says so") {
     reason = "format version 2.0";
   }
   SECTION("truncated") {
-    test::write_sample(path, test::sample_header());
+    tests::write_sample(path, tests::sample_header());
     fs::resize_file(path, fs::file_size(path) - 1);
     reason = "truncated or damaged";
   }
@@ -260,20 +258,20 @@ TEST_CASE("what is no readable result is refused with a line that says so") {
     reason = "truncated or damaged";
   }
   CHECK_THROWS_AS(read_result(path), core::InputError);
-  CHECK(test::lacking(test::message_of([&] { read_result(path); }), {path.string(), reason}) == "");
+  CHECK(tests::lacking(tests::message_of([&] { read_result(path); }), {path.string(), reason}) == "");
 }
 
 TEST_CASE("a changed bit of a text is found, whoever reads: HDF5 has no checksum over texts") {
-  const test::ScratchFolder folder;
+  const tests::ScratchFolder folder;
   const fs::path path = folder / "r.h5";
-  Header header = test::sample_header();
+  Header header = tests::sample_header();
   header.title = "a title that stands nowhere else";
   header.study_toml += "# a comment that stands nowhere else\n";
-  test::write_sample(path, header);
+  tests::write_sample(path, header);
   const std::string text = GENERATE("title that stands", "comment that stands", "it was not");
   damage_text(path, text);
   const auto is_found = [&](auto&& read) {
-    return test::lacking(test::message_of(read), {path.string(), "not those that were written"});
+    return tests::lacking(tests::message_of(read), {path.string(), "not those that were written"});
   };
   CHECK(is_found([&] { read_result(path); }) == "");
   CHECK(is_found([&] { read_result_header(path); }) == "");

@@ -7,11 +7,13 @@
 #include "core/error.hpp"
 #include "results/store/parts_folder.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/sample_writer.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::results;
-using namespace ridgeloc::results::test;
+using namespace ridgeloc::tests;
 namespace fs = std::filesystem;
 
 TEST_CASE("a result has the same data for any order of blocks, any parts and any number of threads") {

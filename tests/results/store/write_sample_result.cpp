@@ -5,8 +5,9 @@
 #include "tests/support/sample_result.hpp"
 
 int main(int argc, char** argv) {
+  using namespace ridgeloc;
   using namespace ridgeloc::results;
   if (argc != 2) return 2;
-  test::write_sample(argv[1], test::sample_header());
+  tests::write_sample(argv[1], tests::sample_header());
   std::puts(data_digest(argv[1]).c_str());
 }

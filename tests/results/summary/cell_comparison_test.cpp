@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "results/statistics/interval.hpp"
 #include "results/tables/csv.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/sample_study.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/synthetic_summary.hpp"
 
 namespace {
@@ -155,14 +154,14 @@ TEST_CASE("only cells that differ in the axis alone are compared") {
   CHECK(sample.compared("range_sigma_m=0.1").size() == 1);
   CHECK(sample.compared("points=3").size() == 1);
   sample.summary.header.cells = {{"a", {0, 0}}, {"b", {1, 1}}};
-  CHECK(test::message_of([&] { sample.compared("points=3"); }) ==
+  CHECK(tests::message_of([&] { sample.compared("points=3"); }) ==
         "no two cells differ in points alone, one of them with 3; choose another axis");
 }
 
 TEST_CASE("what is no value of an axis is refused with those that are") {
   const Header header = synthetic_summary().header;
   CHECK(axis_value(header, "range_sigma_m=0.50").value == 1);
-  const auto refusal = [&](const char* text) { return test::message_of([&] { axis_value(header, text); }); };
+  const auto refusal = [&](const char* text) { return tests::message_of([&] { axis_value(header, text); }); };
   CHECK(refusal("sigma=0.1") == "sigma=0.1: no axis \"sigma\" (allowed: points, range_sigma_m)");
   CHECK(refusal("points=4") == "points=4: not one value of points (allowed: 3, 5)");
   CHECK(refusal("points=3,5") == "points=3,5: not one value of points (allowed: 3, 5)");

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.hpp"
 #include "results/figures/figure_data.hpp"
 #include "results/statistics/interval.hpp"
 #include "results/tables/csv.hpp"
 #include "results/tables/table.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/synthetic_summary.hpp"
 
 namespace {
@@ -167,14 +167,7 @@ TEST_CASE("tables and CSV have ratios, figures draw them if they name them") {
   spec.methods = {"rrr - rr"};
   CHECK(figure_data(summary, spec).y_label == "position error, all trials, mean [m]");
 
-  const auto refusal = [&] {
-    try {
-      figure_data(summary, spec);
-    } catch (const core::InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
+  const auto refusal = [&] { return tests::refusal_of([&] { figure_data(summary, spec); }); };
   spec.methods = {"rrr / rr", "rr"};
   CHECK(refusal() ==
         "figure 'ratios': methods: a ratio has no unit and stands beside ratios only; draw it in a figure of its own");

@@ -4,7 +4,8 @@
 
 #include "core/error.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/sample_study.hpp"
+#include "tests/support/message_of.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::results;
@@ -24,7 +25,7 @@ std::string read_text(const fs::path& path) {
 }  // namespace
 
 TEST_CASE("an output path is checked without leaving anything behind") {
-  const test::ScratchFolder folder;
+  const tests::ScratchFolder folder;
   CHECK_NOTHROW(require_writable(folder / "new.h5"));
   CHECK(fs::is_empty(folder.path()));
 
@@ -34,18 +35,18 @@ TEST_CASE("an output path is checked without leaving anything behind") {
 }
 
 TEST_CASE("an impossible output path is refused with a line that says what to do") {
-  const test::ScratchFolder folder;
+  const tests::ScratchFolder folder;
   const fs::path missing = folder / "no/such.h5";
-  const auto message = [](const fs::path& path) { return test::message_of([&] { require_writable(path); }); };
-  CHECK(test::lacking(message(missing), {"cannot write " + missing.string(), "does not exist; create it"}) == "");
+  const auto message = [](const fs::path& path) { return tests::message_of([&] { require_writable(path); }); };
+  CHECK(tests::lacking(message(missing), {"cannot write " + missing.string(), "does not exist; create it"}) == "");
   CHECK_THROWS_AS(require_writable(missing), core::InputError);
-  CHECK(test::lacking(message(folder.path()), {"it is a folder"}) == "");
+  CHECK(tests::lacking(message(folder.path()), {"it is a folder"}) == "");
   write_text(folder / "file", "");
-  CHECK(test::lacking(message(folder / "file/x.h5"), {"is not a folder"}) == "");
+  CHECK(tests::lacking(message(folder / "file/x.h5"), {"is not a folder"}) == "");
 }
 
 TEST_CASE("a temporary file takes its name when published and vanishes otherwise") {
-  const test::ScratchFolder folder;
+  const tests::ScratchFolder folder;
   const fs::path file = folder / "result.h5";
   {
     const TemporaryFile abandoned(file);
@@ -64,13 +65,13 @@ TEST_CASE("a temporary file takes its name when published and vanishes otherwise
 }
 
 TEST_CASE("publishing what is not there is an error") {
-  const test::ScratchFolder folder;
+  const tests::ScratchFolder folder;
   TemporaryFile nothing(folder / "result.h5");
   CHECK_THROWS_AS(nothing.publish(), core::IoError);
 }
 
 TEST_CASE("a folder is locked by one holder at a time") {
-  const test::ScratchFolder folder;
+  const tests::ScratchFolder folder;
   {
     const FolderLock lock(folder.path());
     CHECK_THROWS_AS(FolderLock(folder.path()), core::InputError);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -15,6 +14,7 @@
 #include "solvers/solver.hpp"
 #include "tests/support/all_methods.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/same_bits.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::tests;
@@ -85,18 +85,15 @@ std::vector<core::Isa> supported() {
   return isas;
 }
 
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (a != a && b != b);
-}
-
 /// Whether slot `i` of one batch and slot `j` of another came to the same bits.
 bool same_trial(const core::SolutionBatch& a, std::size_t i, const core::SolutionBatch& b, std::size_t j) {
   bool same = a.status[i] == b.status[j];
-  for (std::size_t axis = 0; axis < 3; ++axis) same = same && same_bits(a.estimate[axis][i], b.estimate[axis][j]);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    same = same && tests::same_bits_or_nan(a.estimate[axis][i], b.estimate[axis][j]);
   for (const auto column :
        {&core::SolutionBatch::iterations, &core::SolutionBatch::residual_rms_m, &core::SolutionBatch::remaining_step_m,
         &core::SolutionBatch::eta_first, &core::SolutionBatch::eta_last, &core::SolutionBatch::eta_mean}) {
-    same = same && same_bits((a.*column)[i], (b.*column)[j]);
+    same = same && tests::same_bits_or_nan((a.*column)[i], (b.*column)[j]);
   }
   return same;
 }

@@ -1,6 +1,5 @@
 #include "solvers/kernels/trace.hpp"
 
-#include <bit>
 #include <cmath>
 #include <random>
 
@@ -8,6 +7,7 @@
 #include "tests/support/all_methods.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/hand_scene.hpp"
+#include "tests/support/same_bits.hpp"
 #include "tests/support/sample.hpp"
 
 using namespace ridgeloc;
@@ -43,10 +43,6 @@ struct Batch {
   }
 };
 
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (a != a && b != b);
-}
-
 /// How many trials end elsewhere, after another number of steps or with another residual than those of the solver.
 std::size_t differing(const MethodChoice& method, const Batch& batch) {
   core::SolutionBatch solutions;
@@ -57,12 +53,12 @@ std::size_t differing(const MethodChoice& method, const Batch& batch) {
     const TracedIterate& last = iterates.back();
     bool same = static_cast<double>(iterates.size() - 1) == solutions.iterations[t];
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      same = same && same_bits(last.position[axis], solutions.estimate[axis][t]);
+      same = same && tests::same_bits_or_nan(last.position[axis], solutions.estimate[axis][t]);
     }
     if (batch.problems.has_images()) {
-      same = same && same_bits(last.image_distance_mm, solutions.image_distance_mm[t]);
+      same = same && tests::same_bits_or_nan(last.image_distance_mm, solutions.image_distance_mm[t]);
     } else {
-      same = same && same_bits(last.residual_rms_m, solutions.residual_rms_m[t]);
+      same = same && tests::same_bits_or_nan(last.residual_rms_m, solutions.residual_rms_m[t]);
     }
     same = same && last.weights.size() == batch.problems.points();
     count += same ? 0 : 1;

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "tests/support/building_study.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
+#include "tests/support/same_bits.hpp"
 #include "tests/support/simulation.hpp"
 
 using namespace ridgeloc;
@@ -49,17 +50,12 @@ void append(std::vector<results::TrialColumns>& all, const std::vector<results::
 }
 
 bool same(const results::TrialColumns& a, const results::TrialColumns& b) {
-  const auto equal = [](const auto& s, const auto& t) { return std::ranges::equal(s, t, tests::same_bits); };
+  const auto equal = [](const auto& s, const auto& t) { return tests::same_bits(s, t); };
   return a.status == b.status && std::ranges::equal(a.metrics, b.metrics, equal);
 }
 
 std::string error_of(const std::string& text) {
-  try {
-    make_plan(photo_study("building", text + methods));
-  } catch (const core::InputError& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal_of([&] { make_plan(photo_study("building", text + methods)); });
 }
 
 }  // namespace

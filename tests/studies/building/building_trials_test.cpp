@@ -13,6 +13,7 @@
 #include "studies/solving/audit.hpp"
 #include "tests/support/building_study.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -89,12 +90,7 @@ TEST_CASE("a view of more objects than a map graph takes is refused with what to
   map.classes = {{"book", 0.05, 0.05, {}}};
   for (int i = 0; i < 300; ++i)
     map.objects.push_back({"book", 0, {3.9, 1.25 + 0.05 * (i % 30), 1.2 + 0.06 * (i / 30)}, 0.05, 0.05});
-  std::string error;
-  try {
-    map_graphs(map, {}, 1.5, 4.0, 4);
-  } catch (const core::InputError& thrown) {
-    error = thrown.what();
-  }
+  const std::string error = tests::refusal_of([&] { map_graphs(map, {}, 1.5, 4.0, 4); });
   CHECK(error == "from (2, 2) 300 objects of the map \"shelf\" are seen, more than 255; make photo.farthest_m smaller");
 }
 

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/error.hpp"
 #include "studies/detection/detection_trials.hpp"
 #include "tests/support/building_study.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
+#include "tests/support/same_bits.hpp"
 #include "tests/support/simulation.hpp"
 
 using namespace ridgeloc;
@@ -19,12 +20,7 @@ using tests::photo_study;
 namespace {
 
 std::string error_of(const std::string& text) {
-  try {
-    make_plan(photo_study("detection", text));
-  } catch (const core::InputError& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal_of([&] { make_plan(photo_study("detection", text)); });
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
 #include "studies/files/csv_column.hpp"
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "core/error.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 using namespace ridgeloc;
 
@@ -16,17 +16,14 @@ namespace {
 /// A file of its own, removed at the end.
 class File {
  public:
-  explicit File(const std::string& text)
-      : path_(std::filesystem::temp_directory_path() / ("ridgeloc_csv_" + std::to_string(getpid()) + ".csv")) {
+  explicit File(const std::string& text) : path_(folder_ / "column.csv") {
     std::ofstream(path_, std::ios::binary) << text;
   }
-  ~File() { std::filesystem::remove(path_); }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  tests::ScratchFolder folder_;
   std::filesystem::path path_;
 };
 
@@ -38,14 +35,10 @@ std::vector<double> column(const std::string& text, const std::string& name, std
 /// The message without the path in front.
 std::string error_of(const std::string& text, const std::string& name) {
   const File file(text);
-  try {
-    studies::read_csv_column(file.path(), name, 100);
-  } catch (const core::InputError& error) {
-    const std::string message = error.what();
-    REQUIRE(message.starts_with(file.path().string()));
-    return message.substr(file.path().string().size());
-  }
-  return "";
+  const std::string message = tests::refusal_of([&] { studies::read_csv_column(file.path(), name, 100); });
+  if (message.empty()) return "";
+  REQUIRE(message.starts_with(file.path().string()));
+  return message.substr(file.path().string().size());
 }
 
 }  // namespace

@@ -1,21 +1,18 @@
 // Maps of buildings in study files, in files of their own, by name and at random.
 
-#include <unistd.h>
-
-#include <filesystem>
 #include <fstream>
 
-#include "core/error.hpp"
 #include "sim/random_building.hpp"
 #include "studies/files/map_reader.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/files/study_writer.hpp"
 #include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -56,36 +53,24 @@ height_m = 0.7
 /// A folder with `map.toml` and the path of a study beside it; removed at the end.
 class MapFolder {
  public:
-  explicit MapFolder(const std::string& map) {
-    path_ = fs::temp_directory_path() / ("ridgeloc_map_reader_test_" + std::to_string(getpid()));
-    fs::create_directories(path_);
-    std::ofstream(path_ / "map.toml") << map;
-  }
-  MapFolder(const MapFolder&) = delete;
-  MapFolder& operator=(const MapFolder&) = delete;
-  ~MapFolder() { fs::remove_all(path_); }
+  explicit MapFolder(const std::string& map) { std::ofstream(folder_ / "map.toml") << map; }
 
   /// A study with that map, written as in its file.
   Study study(const std::string& value) const {
-    return read_study({"demo", (path_ / "study.toml").string(),
+    return read_study({"demo", (folder_ / "study.toml").string(),
                        "experiment = \"building\"\n[building]\nmap = " + value + "\n[[method]]\nsolver = \"ols\"\n"});
   }
 
   /// The error message without the folder; empty if there is none.
   std::string error_of(const std::string& value) const {
-    try {
-      study(value);
-    } catch (const core::InputError& error) {
-      std::string text = error.what();
-      const std::string folder = path_.string() + "/";
-      for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder)) text.erase(at, folder.size());
-      return text;
-    }
-    return "";
+    std::string text = tests::refusal_of([&] { study(value); });
+    const std::string folder = folder_.path().string() + "/";
+    for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder)) text.erase(at, folder.size());
+    return text;
   }
 
  private:
-  fs::path path_;
+  tests::ScratchFolder folder_;
 };
 
 const std::string from_file = R"({ file = "map.toml" })";

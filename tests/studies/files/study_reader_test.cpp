@@ -1,17 +1,15 @@
 #include "studies/files/study_reader.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 
-#include "core/error.hpp"
 #include "sim/range_noise.hpp"
 #include "studies/files/study_writer.hpp"
 #include "studies/plan/plan.hpp"
 #include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -36,12 +34,7 @@ Study read(const std::string& text, const std::vector<std::string>& overrides = 
 
 /// The error message of a study, empty if there is none.
 std::string error_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  try {
-    make_plan(read(text, overrides));
-  } catch (const core::InputError& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal_of([&] { make_plan(read(text, overrides)); });
 }
 
 /// `valid` with one piece replaced.
@@ -184,18 +177,13 @@ std::string samples(const std::string& value) {
 /// A folder with a file of residuals, removed at the end.
 struct Residuals {
   Residuals() {
-    std::filesystem::create_directories(folder);
     std::ofstream(folder / "residuals.csv") << "id,e_m,unit\n1,0.5,m\n2,-1.5,m\n3,0.25,m\n";
     std::ofstream many(folder / "many.csv");
     many << "e_m\n";
     for (int i = 0; i <= 100'000; ++i) many << "1\n";
   }
-  ~Residuals() { std::filesystem::remove_all(folder); }
-  Residuals(const Residuals&) = delete;
-  Residuals& operator=(const Residuals&) = delete;
 
-  std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("ridgeloc_reader_" + std::to_string(getpid()));
+  const tests::ScratchFolder folder;
 };
 
 }  // namespace
@@ -221,7 +209,7 @@ TEST_CASE("samples enter the resolved study, from a list or from a file beside t
 
 TEST_CASE("each bad list or file of samples gets one line") {
   const Residuals residuals;
-  const std::string folder = residuals.folder.string() + "/";
+  const std::string folder = residuals.folder.path().string() + "/";
   const auto file = [&](const std::string& name, const std::string& column) {
     return samples("{ file = \"" + folder + name + "\", column = \"" + column + "\" }");
   };
@@ -364,12 +352,7 @@ TEST_CASE("methods are compared with the first one, or as [[compare]] says") {
   CHECK(none.comparisons.empty());
   CHECK(read_study({"s", "s.toml", resolved_toml(none)}).comparisons.empty());
   const auto refused = [&](const std::string& text) {
-    try {
-      comparisons("[[compare]]\n" + text);
-    } catch (const core::InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return tests::refusal_of([&] { comparisons("[[compare]]\n" + text); });
   };
   CHECK(refused("method = \"rrr\"\n") == "s.toml:8: [[compare]] lacks with = \"...\", the name of a [[method]]");
   CHECK(refused("method = \"rrr\"\nwith = \"rrr\"\n") == "s.toml:8: [[compare]] compares \"rrr\" with itself");
@@ -377,12 +360,7 @@ TEST_CASE("methods are compared with the first one, or as [[compare]] says") {
 }
 
 TEST_CASE("a study that is not there names the nearest one in the catalog") {
-  try {
-    find_study("fig3");
-    FAIL("found");
-  } catch (const core::InputError& error) {
-    CHECK(std::string(error.what()) ==
-          "fig3: no such study file, and no study of that name in the catalog (did you mean \"fig3a\"?)");
-  }
+  CHECK(tests::refusal_of([] { find_study("fig3"); }) ==
+        "fig3: no such study file, and no study of that name in the catalog (did you mean \"fig3a\"?)");
   CHECK(find_study("fig3a").name == "fig3a");
 }

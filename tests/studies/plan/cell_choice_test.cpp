@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "core/error.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -24,12 +24,7 @@ struct Planned {
 
   std::size_t operator()(const std::string& text) const { return choose_cell(plan, text).index; }
   std::string refusal(const std::string& text) const {
-    try {
-      choose_cell(plan, text);
-    } catch (const core::InputError& error) {
-      return error.what();
-    }
-    return "";
+    return tests::refusal_of([&] { choose_cell(plan, text); });
   }
 };
 

@@ -2,12 +2,12 @@
 
 #include <set>
 
-#include "core/error.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/files/study_writer.hpp"
 #include "studies/plan/plan.hpp"
 #include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -37,12 +37,7 @@ bool covers(const Study& all, const Study& part) {
 }
 
 std::string refusal(const Study& a, const Study& b) {
-  try {
-    united(a, b);
-  } catch (const core::InputError& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal_of([&] { united(a, b); });
 }
 
 }  // namespace

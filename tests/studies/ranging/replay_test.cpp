@@ -1,7 +1,6 @@
 #include "studies/study/replay.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +11,7 @@
 #include "studies/plan/plan.hpp"
 #include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/same_bits.hpp"
 #include "tests/support/simulation.hpp"
 
 using namespace ridgeloc;
@@ -80,10 +80,6 @@ std::string text(const DataTable& t, std::size_t row, std::size_t column) {
   return std::get<std::string>(t.rows.at(row).at(column));
 }
 
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (a != a && b != b);
-}
-
 std::size_t metric(const Study& s, const std::string& name) {
   const auto& metrics = s.experiment->schema().metrics;
   return static_cast<std::size_t>(std::ranges::find(metrics, name, &results::MetricInfo::name) - metrics.begin());
@@ -111,15 +107,15 @@ TEST_CASE("the kernels of a replay give the bits of the whole block, on every in
           const bool converged = status == static_cast<std::uint8_t>(core::Status::Converged);
           CHECK(text(outcome, 1, 1) == core::status_names[status]);
           const auto in_block = [&](const char* name) { return columns[m].metrics[metric(s, name)][slot]; };
-          CHECK(same_bits(number(outcome, 1, "x_m"), in_block("error_x_m")));
+          CHECK(tests::same_bits_or_nan(number(outcome, 1, "x_m"), in_block("error_x_m")));
           // Two ways to the root of three squares, each within 4 eps of it.
           CHECK(number(outcome, 1, "error_m") == Approx(in_block("error_all_m")).epsilon(8.0 * epsilon));
           if (converged) {
-            CHECK(same_bits(number(outcome, 1, "residual_rms_m"), in_block("residual_rms_m")));
+            CHECK(tests::same_bits_or_nan(number(outcome, 1, "residual_rms_m"), in_block("residual_rms_m")));
             CHECK(number(outcome, 1, "iterations") == in_block("iterations"));
           }
           if (!columns[m].metrics[metric(s, "eta_mean")].empty()) {
-            CHECK(same_bits(number(outcome, 1, "eta_mean"), in_block("eta_mean")));
+            CHECK(tests::same_bits_or_nan(number(outcome, 1, "eta_mean"), in_block("eta_mean")));
           }
         }
       }

@@ -1,7 +1,5 @@
 #include "studies/run/runner.hpp"
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <thread>
 
@@ -11,6 +9,7 @@
 #include "studies/files/study_reader.hpp"
 #include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -18,17 +17,6 @@ using namespace ridgeloc::studies;
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of its own for each test, removed at its end.
-class Folder {
- public:
-  Folder() { fs::create_directories(path_); }
-  ~Folder() { fs::remove_all(path_); }
-  fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_ = fs::temp_directory_path() / ("ridgeloc-runner-test-" + std::to_string(getpid()));
-};
 
 const std::atomic<bool> never{false};
 
@@ -60,7 +48,7 @@ RunOutcome run(const Study& s, const fs::path& output, int threads, const std::a
 }  // namespace
 
 TEST_CASE("a result holds the same bytes for 1, 2 and 5 threads") {
-  const Folder folder;
+  const tests::ScratchFolder folder;
   const Study s = study();
   std::string digest;
   for (const int threads : {1, 2, 5}) {
@@ -75,14 +63,14 @@ TEST_CASE("a result holds the same bytes for 1, 2 and 5 threads") {
 }
 
 TEST_CASE("another seed gives another result") {
-  const Folder folder;
+  const tests::ScratchFolder folder;
   run(study({"trials=100"}), folder / "a.h5", 1);
   run(study({"trials=100", "seed=2"}), folder / "b.h5", 1);
   CHECK(results::data_digest(folder / "a.h5") != results::data_digest(folder / "b.h5"));
 }
 
 TEST_CASE("a stopped run is taken up where it stopped, and ends in the same bytes") {
-  const Folder folder;
+  const tests::ScratchFolder folder;
   const Study s = study();
   const Plan plan = make_plan(s);
   run(s, folder / "whole.h5", 2);
@@ -111,7 +99,7 @@ TEST_CASE("a stopped run is taken up where it stopped, and ends in the same byte
 }
 
 TEST_CASE("a result topped up in any steps, or merged from shares, holds the same bytes") {
-  const Folder folder;
+  const tests::ScratchFolder folder;
   run(study(), folder / "whole.h5", 2);
   const std::string whole = results::data_digest(folder / "whole.h5");
 
@@ -129,7 +117,7 @@ TEST_CASE("a result topped up in any steps, or merged from shares, holds the sam
     CAPTURE(count);
     std::vector<fs::path> shares;
     for (std::uint64_t number = count; number >= 1; --number) {
-      shares.push_back(folder / ("share" + std::to_string(number) + ".h5").c_str());
+      shares.push_back(folder / ("share" + std::to_string(number) + ".h5"));
       fs::remove(shares.back());
       RunProgress progress;
       run_study(s, plan, assignment_of(plan, plan, {number, count}), shares.back(), *thread_queue(2), {}, progress,
@@ -142,7 +130,7 @@ TEST_CASE("a result topped up in any steps, or merged from shares, holds the sam
 }
 
 TEST_CASE("a wider study computes only what its result lacks, and ends in the same bytes") {
-  const Folder folder;
+  const tests::ScratchFolder folder;
   run(study(), folder / "whole.h5", 2);
   // One method and one value of an axis less.
   const Study narrow = read_study({"demo", "demo.toml", R"(
@@ -173,7 +161,7 @@ solver = "rrr"
 
 TEST_CASE("totals do not depend on how trials were cut into calls of the experiment") {
   // The first 5000 trials of a study of 10000 are the trials of a study of 5000.
-  const Folder folder;
+  const tests::ScratchFolder folder;
   run(study({"trials=5000"}), folder / "half.h5", 1);
   run(study(), folder / "whole.h5", 1);
   const auto half = results::read_trials(folder / "half.h5", 3, 0);
@@ -184,7 +172,7 @@ TEST_CASE("totals do not depend on how trials were cut into calls of the experim
 }
 
 TEST_CASE("every trial is accounted for, per cell and method, by exactly one status") {
-  const Folder folder;
+  const tests::ScratchFolder folder;
   const Study s = study({"trials=3000"});
   run(s, folder / "out.h5", 2);
   const results::Summary summary = results::read_result(folder / "out.h5");
@@ -201,13 +189,13 @@ TEST_CASE("every trial is accounted for, per cell and method, by exactly one sta
 }
 
 TEST_CASE("an output that cannot be written is refused before anything is computed") {
-  const Folder folder;
+  const tests::ScratchFolder folder;
   CHECK_THROWS_AS(run(study(), folder / "missing/out.h5", 1), core::InputError);
   CHECK_FALSE(fs::exists(folder / "missing"));
 }
 
 TEST_CASE("the difference of two methods is that of their means where all trials count, and varies less") {
-  const Folder folder;
+  const tests::ScratchFolder folder;
   run(study({"trials=3000"}), folder / "out.h5", 2);
   const results::Summary summary = results::read_result(folder / "out.h5");
   REQUIRE(summary.header.methods.size() == 4);
@@ -223,7 +211,7 @@ TEST_CASE("the difference of two methods is that of their means where all trials
 }
 
 TEST_CASE("a comparison that is asked for later computes its methods again, and changes nothing else") {
-  const Folder folder;
+  const tests::ScratchFolder folder;
   run(study(), folder / "whole.h5", 2);
   run(study({"compare=[]"}), folder / "grown.h5", 2);
   CHECK(results::read_result_header(folder / "grown.h5").methods.size() == 3);

@@ -1,13 +1,10 @@
 #include "studies/study/stop_rule.hpp"
 
-#include <unistd.h>
-
 #include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <thread>
 
-#include "core/error.hpp"
 #include "results/store/result_file.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/files/study_writer.hpp"
@@ -15,6 +12,8 @@
 #include "studies/run/runner.hpp"
 #include "studies/study/capabilities.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -40,19 +39,13 @@ Study study(const std::string& stop) {
 }
 
 std::string refusal(const std::string& stop) {
-  try {
-    study(stop);
-  } catch (const core::InputError& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal_of([&] { study(stop); });
 }
 
 /// A result file that goes with the object.
 struct File {
-  fs::path path = fs::temp_directory_path() / ("ridgeloc-stop-test-" + std::to_string(::getpid()) + ".h5");
-  File() { remove(); }
-  ~File() { remove(); }
+  const tests::ScratchFolder folder;
+  const fs::path path = folder / "result.h5";
   void remove() const {
     fs::remove(path);
     fs::remove_all(path.string() + ".parts");
