@@ -15,6 +15,7 @@
 #include "studies/solving/solver_settings.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/message_of.hpp"
+#include "tests/support/metric_of.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace ridgeloc::tests {
@@ -59,13 +60,6 @@ struct Photos {
   studies::BuildingScene scene;
   studies::BuildingScratch scratch;
 };
-
-inline std::size_t metric_of(const studies::Study& study, const std::string& name) {
-  const auto& metrics = study.experiment->schema().metrics;
-  const auto found = std::ranges::find(metrics, name, &results::MetricInfo::name);
-  REQUIRE(found != metrics.end());
-  return static_cast<std::size_t>(found - metrics.begin());
-}
 
 inline const results::DataTable& table_of(const std::vector<results::DataTable>& tables, const std::string& name) {
   const auto found = std::ranges::find(tables, name, &results::DataTable::name);

@@ -14,6 +14,7 @@
 #include "studies/plan/plan.hpp"
 #include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/metric_of.hpp"
 #include "tests/support/simulation.hpp"
 
 using namespace ridgeloc;
@@ -203,14 +204,16 @@ solver = "ols"
        {core::Status::Converged, core::Status::IterationLimit, core::Status::Singular, core::Status::LeftDomain}) {
     CHECK(ols.events[static_cast<std::size_t>(status)] > 0);
   }
-  CHECK(ols.metrics[0].moments.n + ols.metrics[0].beyond == converged);  // error_m: the converged
-  CHECK(ols.metrics[1].moments.n + ols.metrics[1].beyond == 4096);       // error_all_m: all
-  CHECK(ols.metrics[2].moments.n == 4096);                               // iterations: all, ...
-  CHECK(ols.metrics[2].max == 5.0);                                      // ... a failed one counting the limit
-  CHECK(ols.metrics[2].histogram.counts().back() >= 4096 - converged);
-  CHECK(ols.metrics[3].moments.n == 0);          // eta_first: ols has no K
-  CHECK(ols.metrics[6].moments.n == converged);  // residual_rms_m: the converged
-  CHECK(rows[1].statistics.metrics[8].moments.n + rows[1].statistics.metrics[8].beyond == 4096);  // gdop: all scenes
+  const auto of_solver = [&](const char* name) { return ols.metrics[tests::metric_of(study, name)]; };
+  const auto every_value = [](const results::MetricStatistics& metric) { return metric.moments.n + metric.beyond; };
+  CHECK(every_value(of_solver("error_m")) == converged);
+  CHECK(every_value(of_solver("error_all_m")) == 4096);
+  CHECK(of_solver("iterations").moments.n == 4096);
+  CHECK(of_solver("iterations").max == 5.0);  // a failed trial counts the limit
+  CHECK(of_solver("iterations").histogram.counts().back() >= 4096 - converged);
+  CHECK(of_solver("eta_first").moments.n == 0);  // ols has no K
+  CHECK(of_solver("residual_rms_m").moments.n == converged);
+  CHECK(every_value(rows[1].statistics.metrics[tests::metric_of(study, "gdop")]) == 4096);
   CHECK(rows[1].statistics.events.empty());
 }
 
@@ -223,9 +226,7 @@ TEST_CASE(
              noise + "[[method]]\nsolver = " + method},
         std::vector<std::string>{"trials=4096"});
     const auto rows = first_block(study);
-    const auto& metrics = study.experiment->schema().metrics;
-    const auto metric = std::ranges::find(metrics, "nees", &results::MetricInfo::name) - metrics.begin();
-    return rows[0].statistics.metrics[static_cast<std::size_t>(metric)].moments;
+    return rows[0].statistics.metrics[tests::metric_of(study, "nees")].moments;
   };
   const std::string small = "range_sigma_m = 0.001\n";
   for (const char* solver : {"\"ols\"", "\"lm\"\nlm_variant = \"more\"", "\"dogleg\""}) {
@@ -274,10 +275,11 @@ TEST_CASE("the anchor of Fig. 3b-d lies where an independent prototype found it"
   const Study study = read_study(find_study("fig3bcd"),
                                  std::vector<std::string>{"sweep.points=[5]", "sweep.similarity=[0.6]", "trials=4096"});
   const results::Row rr = first_block(study)[0];
-  const auto& iterations = rr.statistics.metrics[2].moments;
+  const auto& iterations = rr.statistics.metrics[tests::metric_of(study, "iterations")].moments;
   const double iterations_error = std::sqrt(iterations.m2 / 4096.0 / 4096.0 + iterations.m2 / 4096.0 / 6000.0);
   CHECK(std::fabs(iterations.mean - 14.2) < 4.5 * iterations_error + 0.05);  // the prototype's is rounded
   const double converged = static_cast<double>(rr.statistics.events[0]) / 4096.0;
   CHECK(std::fabs(converged - 0.80) < 4.5 * std::sqrt(0.16 / 4096.0 + 0.16 / 6000.0) + 0.005);
-  CHECK(std::fabs(rr.statistics.metrics[0].histogram.quantile(0.5) - 0.121) < 4.5 * 0.002 * std::sqrt(2.0) + 0.0005);
+  const auto& errors = rr.statistics.metrics[tests::metric_of(study, "error_m")];
+  CHECK(std::fabs(errors.histogram.quantile(0.5) - 0.121) < 4.5 * 0.002 * std::sqrt(2.0) + 0.0005);
 }

@@ -11,6 +11,7 @@
 #include "studies/plan/plan.hpp"
 #include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/metric_of.hpp"
 #include "tests/support/same_bits.hpp"
 #include "tests/support/simulation.hpp"
 
@@ -80,11 +81,6 @@ std::string text(const DataTable& t, std::size_t row, std::size_t column) {
   return std::get<std::string>(t.rows.at(row).at(column));
 }
 
-std::size_t metric(const Study& s, const std::string& name) {
-  const auto& metrics = s.experiment->schema().metrics;
-  return static_cast<std::size_t>(std::ranges::find(metrics, name, &results::MetricInfo::name) - metrics.begin());
-}
-
 }  // namespace
 
 TEST_CASE("the kernels of a replay give the bits of the whole block, on every instruction set") {
@@ -106,7 +102,7 @@ TEST_CASE("the kernels of a replay give the bits of the whole block, on every in
           const auto status = columns[m].status[slot];
           const bool converged = status == static_cast<std::uint8_t>(core::Status::Converged);
           CHECK(text(outcome, 1, 1) == core::status_names[status]);
-          const auto in_block = [&](const char* name) { return columns[m].metrics[metric(s, name)][slot]; };
+          const auto in_block = [&](const char* name) { return columns[m].metrics[tests::metric_of(s, name)][slot]; };
           CHECK(tests::same_bits_or_nan(number(outcome, 1, "x_m"), in_block("error_x_m")));
           // Two ways to the root of three squares, each within 4 eps of it.
           CHECK(number(outcome, 1, "error_m") == Approx(in_block("error_all_m")).epsilon(8.0 * epsilon));
@@ -114,7 +110,7 @@ TEST_CASE("the kernels of a replay give the bits of the whole block, on every in
             CHECK(tests::same_bits_or_nan(number(outcome, 1, "residual_rms_m"), in_block("residual_rms_m")));
             CHECK(number(outcome, 1, "iterations") == in_block("iterations"));
           }
-          if (!columns[m].metrics[metric(s, "eta_mean")].empty()) {
+          if (!columns[m].metrics[tests::metric_of(s, "eta_mean")].empty()) {
             CHECK(tests::same_bits_or_nan(number(outcome, 1, "eta_mean"), in_block("eta_mean")));
           }
         }

@@ -9,6 +9,7 @@
 #include "studies/files/study_reader.hpp"
 #include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/metric_of.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 using namespace ridgeloc;
@@ -168,7 +169,8 @@ TEST_CASE("totals do not depend on how trials were cut into calls of the experim
   const auto whole = results::read_trials(folder / "whole.h5", 3, 0);
   REQUIRE(half.trial.size() == 4096);  // one block of columns fits into 1.9 MiB
   CHECK(half.status == whole.status);
-  CHECK(half.metrics[1] == whole.metrics[1]);
+  const std::size_t error = tests::metric_of(study(), "error_all_m");
+  CHECK(half.metrics[error] == whole.metrics[error]);
 }
 
 TEST_CASE("every trial is accounted for, per cell and method, by exactly one status") {
@@ -183,7 +185,8 @@ TEST_CASE("every trial is accounted for, per cell and method, by exactly one sta
       std::uint64_t total = 0;
       for (std::size_t status = 0; status < summary.header.schema.statuses; ++status) total += events[status];
       CHECK(total == 3000);
-      CHECK(summary.of(cell, method).metrics[0].moments.n == events[0]);  // error_m: the converged
+      const auto& errors = summary.of(cell, method).metrics[tests::metric_of(s, "error_m")];
+      CHECK(errors.moments.n == events[0]);  // of the converged
     }
   }
 }
@@ -202,7 +205,7 @@ TEST_CASE("the difference of two methods is that of their means where all trials
   REQUIRE(summary.header.methods[3].label == "rr - rrr");
   REQUIRE(summary.header.methods[3].difference == std::array<std::size_t, 2>{1, 0});
   const auto iterations = [&](std::size_t cell, std::size_t method) {
-    return summary.of(cell, method).metrics[2].moments;
+    return summary.of(cell, method).metrics[tests::metric_of(study(), "iterations")].moments;
   };
   for (std::size_t cell = 0; cell < 4; ++cell) {
     CHECK(iterations(cell, 3).n == 3000);

@@ -16,6 +16,7 @@
 #include "studies/study/capabilities.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/message_of.hpp"
+#include "tests/support/metric_of.hpp"
 #include "tests/support/simulation.hpp"
 
 using namespace ridgeloc;
@@ -47,10 +48,7 @@ std::vector<results::Row> block(const Study& s, core::Isa isa, TrialRange range)
 }
 
 std::size_t index_of(const std::string& metric) {
-  const auto& metrics = study({}).experiment->schema().metrics;
-  const auto found = std::ranges::find(metrics, metric, &results::MetricInfo::name);
-  REQUIRE(found != metrics.end());
-  return static_cast<std::size_t>(found - metrics.begin());
+  return tests::metric_of(study({}), metric);
 }
 
 /// Ranges of the experiment's default cell with what ols and Ceres make of them.
