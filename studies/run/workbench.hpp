@@ -36,13 +36,20 @@ class Workbench {
     std::shared_ptr<const Simulation> simulation;
   };
 
-  std::shared_ptr<const Simulation> shared(const Key& key, std::span<const Method> methods);
+  /// A simulation that is made by the first who asks while those wait who ask for the same.
+  struct Shared {
+    std::mutex mutex;
+    std::weak_ptr<const Simulation> simulation;
+  };
+
+  std::shared_ptr<Shared> shared_of(const Key& key);
+  std::shared_ptr<const Simulation> prepared(const Key& key, std::span<const Method> methods);
 
   const Study& study_;
   const Plan& plan_;
   std::vector<Place> places_;  ///< by worker
-  std::mutex mutex_;           ///< guards the simulations
-  std::map<Key, std::weak_ptr<const Simulation>> simulations_;
+  std::mutex mutex_;           ///< guards the map
+  std::map<Key, std::shared_ptr<Shared>> shared_;
 };
 
 }  // namespace ridgeloc::studies
