@@ -45,7 +45,8 @@ class PilotRun {
 
   Pilot run() {
     // A fourth more trials each time: the last round is the longest and so the least disturbed by what happens once.
-    for (std::uint64_t count = 1; count <= plan_.header.block_trials && !is_over(); count *= 4) run_round(count);
+    run_round(1);
+    for (std::uint64_t count = 4; count <= plan_.header.block_trials && !is_over(); count *= 4) run_round(count);
     if (study_.audit > 0.0) run_audited();
     return std::move(pilot_);
   }

@@ -203,14 +203,14 @@ std::uint64_t Run::blocks_kept() const {
   return sum;
 }
 
-/// Trials of the blocks of some stretches that an assignment has; of a share as many as blocks on average.
+/// Trials of the blocks of some stretches.
 std::uint64_t trials_of(const Assignment& assignment, const std::vector<Stretch>& stretches) {
   std::uint64_t trials = 0;
   for (const Stretch& stretch : stretches) {
     const std::uint64_t end = std::min(stretch.end * assignment.block_trials, assignment.trials);
     trials += end - std::min(stretch.first * assignment.block_trials, end);
   }
-  return trials / assignment.shard.count;
+  return trials;
 }
 
 }  // namespace
@@ -228,7 +228,7 @@ RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& ass
   const auto compute = [&](const std::vector<Stretch>& stretches, std::uint64_t more) {
     blocks += more;
     progress.blocks_total = blocks;
-    progress.trials_total += trials_of(own, stretches);
+    progress.trials_total += own.shard.count == 1 ? trials_of(own, stretches) : more * own.block_trials;
     run.compute(stretches);
   };
   if (study.stop) {

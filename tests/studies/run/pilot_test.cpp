@@ -1,0 +1,47 @@
+#include "studies/run/pilot.hpp"
+
+#include <string>
+
+#include "studies/files/study_reader.hpp"
+#include "studies/registry.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace ridgeloc;
+using namespace ridgeloc::studies;
+
+namespace {
+
+Pilot pilot_of(const std::string& text, double budget_s) {
+  const Study study = read_study({"pilot", "pilot.toml", "experiment = \"ranging\"\n" + text});
+  return run_pilot(study, make_plan(study), budget_s);
+}
+
+const std::string three_cells = "trials = 1000\naudit = 0\n[sweep]\npoints = [4, 6, 8]\n[[method]]\nsolver = \"ols\"\n";
+
+}  // namespace
+
+TEST_CASE("a pilot without time runs one trial of one cell, and still knows what a trial takes") {
+  const Pilot pilot = pilot_of(three_cells, 0.0);
+  CHECK(pilot.trials == 1);
+  CHECK(pilot.seconds_per_trial > 0.0);
+}
+
+TEST_CASE("a pilot looks at all cells, each round at four times as many trials, up to a block") {
+  const Pilot pilot = pilot_of(three_cells, 60.0);
+  CHECK(pilot.trials == 3 * (1 + 4 + 16 + 64 + 256 + 1024 + 4096));
+  CHECK(pilot.seconds_per_trial > 0.0);
+  CHECK(pilot.seconds_per_cell == 0.0);
+  CHECK(pilot.predicted_trials.empty());
+}
+
+TEST_CASE("a pilot says what the audit of a cell takes, and what a stop rule will ask for") {
+  const Pilot audited = pilot_of("trials = 1000\n[[method]]\nsolver = \"ols\"\n", 0.2);
+  CHECK(audited.seconds_per_cell > 0.0);
+  const Pilot stopped = pilot_of(
+      three_cells + "[stop]\nmetric = \"error_m\"\nrelative = 0.01\nmin_trials = 4096\nmax_trials = 1000000\n", 0.2);
+  REQUIRE(stopped.predicted_trials.size() == 3);
+  for (const std::uint64_t trials : stopped.predicted_trials) {
+    CHECK(trials >= 4096);
+    CHECK(trials <= 1'003'520);
+  }
+}
