@@ -70,6 +70,7 @@ class BuildingSimulation : public Simulation, public FailureRecount, public Tria
         if (!locate(*scene_.settings.photo.map, methods_[m], options_[m], monitor, scratch)) return false;
         append(scratch.outcomes, scratch.block_outcomes[m]);
       }
+      monitor.advance(count);
     }
     return true;
   }

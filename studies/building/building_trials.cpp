@@ -26,13 +26,14 @@ std::size_t wanted_detections(const BuildingCell& settings, const core::Stream& 
 
 void require_photos(std::uint64_t seed, const BuildingCell& settings) {
   const sim::BuildingMap& map = *settings.photo.map;
-  const std::size_t wanted = wanted_detections(settings, core::Stream(seed, numbers_purpose), 0);
+  // Of numbers as in Table 1 the smallest: others may be rare, and end as no_photo.
+  const std::size_t wanted = settings.detections != 0 ? settings.detections : fewest_points;
   sim::Photo photo;
   if (sim::PhotoTaker(map, settings.photo.options, settings.photo.detector, seed).take(0, wanted, photo)) return;
   throw core::InputError(
-      fmt::format("photo.detections = {}: among {} photos of the map \"{}\" none has so many detections{}; ask for "
+      fmt::format("photo.detections = {}: among {} photos of the map \"{}\" none has {} detections{}; ask for "
                   "fewer, or give the map more objects",
-                  wanted, sim::PhotoTaker::most_attempts, map.name,
+                  settings.detections, sim::PhotoTaker::most_attempts, map.name, wanted,
                   settings.photo.options.widest_spread_deg < 180.0 ? " within photo.widest_spread_deg" : ""));
 }
 
@@ -194,7 +195,8 @@ void write_problems(const BuildingCell& settings, const BuildingScratch& scratch
 
 std::size_t photos_at_once(const BuildingCell& settings) {
   constexpr std::size_t starts = 16'384;
-  if (settings.starts == StartPlaces::Coarse) return std::numeric_limits<std::size_t>::max();
+  constexpr std::size_t most = 128;
+  if (settings.starts == StartPlaces::Coarse) return most;
   return std::max<std::size_t>(starts / grid_size(*settings.photo.map, settings.start_spacing_m), 1);
 }
 

@@ -65,7 +65,8 @@ struct StartGroup {
   std::vector<double> image_distance;
 };
 
-/// How many photos to simulate together: of starts all over the map those of a whole block would fill gigabytes.
+/// How many photos to simulate together: of starts all over the map those of a whole block would fill gigabytes, and
+/// whoever watches wants to see how far a block is.
 std::size_t photos_at_once(const BuildingCell& settings);
 
 /// Scratch memory of the `building` experiment.
@@ -96,7 +97,8 @@ struct BuildingScratch : Workspace {
 /// What all photos of a cell share. Valid as long as the cell.
 struct BuildingScene {
   /// Throws core::InputError where a view shows more objects than a map graph takes, and where the first trial finds no
-  /// photo, since others then find none as good as never.
+  /// photo with the detections asked for (as in Table 1: with the fewest), since others then find none as good as
+  /// never.
   BuildingScene(std::uint64_t study_seed, const Cell& cell);
 
   std::uint64_t seed;

@@ -17,7 +17,7 @@ namespace ridgeloc::studies {
 namespace {
 
 enum Metric : std::size_t { PseudorangeErrorM, RangeM };
-enum Status : std::uint8_t { Detected, Missed, NoPhoto };
+enum Status : std::uint8_t { Detected, Missed, NoPhoto, Crowded };
 
 struct DetectionScratch : Workspace {
   using Workspace::Workspace;
@@ -34,6 +34,12 @@ class DetectionSimulation : public Simulation, public TrialReplay {
   DetectionSimulation(const StudyKey& key, const Cell& cell) : settings_(cell.values), trials_(key.seed, settings_) {
     sim::Photo photo;
     if (trials_.take(0, photo)) return;
+    if (trials_.is_crowded(photo)) {
+      throw core::InputError(
+          fmt::format("a photo of the map \"{}\" shows more objects that count than can be told apart; make "
+                      "photo.farthest_m smaller",
+                      settings_.photo.map->name));
+    }
     throw core::InputError(fmt::format(
         "among {} photos of the map \"{}\" none shows an object with object.object_class = \"{}\", object.distance = "
         "\"{}\" and {} detections{}; ask for what the map shows",
@@ -50,8 +56,12 @@ class DetectionSimulation : public Simulation, public TrialReplay {
     scratch.ranges.assign(range.count, not_in_population);
     for (std::size_t t = 0; t < range.count; ++t) {
       if (monitor.stop_requested()) return false;
+      monitor.advance(1);
       const auto sighting = trials_.take(range.first + t, scratch.photo);
-      if (!sighting) continue;
+      if (!sighting) {
+        if (trials_.is_crowded(scratch.photo)) scratch.codes[t] = Crowded;
+        continue;
+      }
       scratch.ranges[t] = sighting->view.range_m;
       scratch.codes[t] = sighting->detection ? Detected : Missed;
       scratch.errors[t] = std::fabs(sighting->pseudorange_m - sighting->view.range_m);
@@ -88,6 +98,7 @@ class DetectionExperiment : public Experiment {
           {"detected", "objects detected", false},
           {"missed", "objects not detected", true},
           {"no_photo", "photos that could not be taken: among very many none showed what was asked for", true},
+          {"crowded", "photos that show more objects that count than can be told apart", true},
       };
       s.statuses = s.events.size();
       return s;

@@ -80,7 +80,8 @@ Replay replay_detection(const DetectionCell& cell, const DetectionTrials& trials
   const sim::BuildingMap& map = *cell.photo.map;
   const auto sighting = trials.take(trial, photo);
   if (!sighting) {
-    throw core::InputError(fmt::format("trial {} ended as no_photo: there is nothing to show; take another", trial));
+    throw core::InputError(
+        fmt::format("trial {} ended without a photo: there is nothing to show; take another", trial));
   }
   Replay replay;
   replay.scene = {camera_table(photo), object_table(map, sighting->view), outcome(*sighting)};

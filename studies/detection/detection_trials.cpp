@@ -81,6 +81,11 @@ const sim::View* DetectionTrials::find_object(std::uint64_t trial, sim::Photo& p
   return nullptr;
 }
 
+bool DetectionTrials::is_crowded(const sim::Photo& photo) const {
+  const auto counts = [&](const sim::View& view) { return cell_.counts(view); };
+  return static_cast<std::size_t>(std::ranges::count_if(photo.views, counts)) > slots_;
+}
+
 std::optional<Sighting> DetectionTrials::take(std::uint64_t trial, sim::Photo& photo) const {
   const sim::View* view = find_object(trial, photo);
   if (view == nullptr) return std::nullopt;

@@ -52,6 +52,9 @@ class DetectionTrials {
   /// objects that count than can be told apart.
   std::optional<Sighting> take(std::uint64_t trial, sim::Photo& photo) const;
 
+  /// Whether a photo shows more objects that count than can be told apart, so that `take` has given up.
+  bool is_crowded(const sim::Photo& photo) const;
+
  private:
   const sim::View* find_object(std::uint64_t trial, sim::Photo& photo) const;
 

@@ -12,7 +12,7 @@ class Monitor {
   Monitor(const std::atomic<bool>& stop, std::atomic<std::uint64_t>& trials_done)
       : stop_(stop), trials_done_(trials_done) {}
 
-  /// Ask at least once a trial where a trial may take a tenth of a second, and never less often than that.
+  /// Ask once a trial where trials may take a tenth of a second, and otherwise about once a second at least.
   bool stop_requested() const { return stop_.load(std::memory_order_relaxed); }
 
   /// Counts finished trials of the block, for those who watch.

@@ -19,7 +19,7 @@ struct StopRule {
   bool is_relative = false;
   std::uint64_t min_trials = 0;
   std::uint64_t max_trials = 0;
-  double max_cost = 0.0;  ///< of all cells together, as `Experiment::cost` counts; 0: no limit
+  double max_cost = 0.0;  ///< of all cells together, as the experiment's `TrialCost` counts, or in trials; 0: no limit
 };
 
 /// The numbers of blocks at which a cell is looked at: from those of `min_trials` on, each a quarter of an octave (19

@@ -118,6 +118,30 @@ TEST_CASE("photos with many starts are the same however they are put together") 
   }
 }
 
+TEST_CASE("a photo that cannot be taken is an outcome of every method, and in no population") {
+  // Numbers of detections as in Table 1 are up to 7; no photo of this map shows so many.
+  const Study study = photo_study(
+      "building",
+      "[building]\nmap = { random = 1, objects = 6 }\n[[method]]\nsolver = \"ols\"\n[[method]]\nsolver = \"rr\"\n");
+  constexpr std::size_t photos = 24;
+  const auto columns = columns_of(study, {0, photos});
+  const auto& events = study.experiment->schema().events;
+  const auto no_photo =
+      static_cast<std::uint8_t>(std::ranges::find(events, "no_photo", &results::EventInfo::name) - events.begin());
+  std::size_t missing = 0;
+  for (std::size_t t = 0; t < photos; ++t) {
+    const bool is_missing = columns[0].status[t] == no_photo;
+    missing += is_missing ? 1 : 0;
+    CHECK((columns[1].status[t] == no_photo) == is_missing);
+    if (!is_missing) continue;
+    for (const auto& column : columns) {
+      for (const auto& metric : column.metrics) CHECK((metric.empty() || std::isnan(metric[t])));
+    }
+  }
+  CHECK(missing > 0);
+  CHECK(missing < photos);
+}
+
 TEST_CASE("columns hold what their descriptions say") {
   const Study study = photo_study("building", methods);
   const std::size_t photos = 300;

@@ -137,3 +137,20 @@ TEST_CASE("what a map never shows is refused with what was asked for") {
   CHECK(tests::error_of_block(study).find("none shows an object with object.object_class = \"any\", object.distance = "
                                           "\"any\" and 12 detections") != std::string::npos);
 }
+
+TEST_CASE("a photo that shows more objects that count than can be told apart is crowded") {
+  // 200 objects on a floor: some photos show more than 24 of them.
+  const Study study =
+      photo_study("detection", "[photo]\nfarthest_m = 1000.0\n[building]\nmap = { random = 1, objects = 200 }\n");
+  constexpr std::size_t photos = 200;
+  const auto columns = columns_of(study, {0, photos});
+  const auto& events = study.experiment->schema().events;
+  const auto crowded =
+      static_cast<std::uint8_t>(std::ranges::find(events, "crowded", &results::EventInfo::name) - events.begin());
+  const auto count = std::ranges::count(columns[0].status, crowded);
+  CHECK(count > 0);
+  CHECK(count < static_cast<std::ptrdiff_t>(photos));
+  for (std::size_t t = 0; t < photos; ++t) {
+    if (columns[0].status[t] == crowded) CHECK(std::isnan(columns[0].metrics[metric_of(study, "range_m")][t]));
+  }
+}
