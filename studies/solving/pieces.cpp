@@ -7,7 +7,7 @@ namespace ridgeloc::studies {
 namespace {
 
 /// Iterations times points of a piece at most. One of them takes 5 ns (ols) to 80 ns (rrr with gcv) with AVX2 and up to
-/// five times as much on the baseline: half a second at the worst.
+/// five times as much on the baseline: 0.8 seconds at the worst.
 constexpr double piece_cost = 2e6;
 
 /// Trials first, first + 1, ... of what is known of a batch.

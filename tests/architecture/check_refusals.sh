@@ -37,5 +37,16 @@ mkdir "$copy/results/attic"
 cp "$copy/results/util/json.hpp" "$copy/results/attic/json.hpp"
 refuses results/util/json.hpp '<string>' 'results/attic: a room that the order of rooms does not name'
 
+# An order of rooms that goes in a circle is refused too.
+rm -r "$copy/results/attic"
+sed 's|^  \[results/util\]=""$|  [results/util]="tables"|' "$check" >"$copy/circle.sh"
+if cmp -s "$check" "$copy/circle.sh"; then
+  echo "the order of rooms is no longer written as this test expects" >&2
+  failures=$((failures + 1))
+elif said=$(bash "$copy/circle.sh" "$copy" 2>&1) || [[ "$said" != *circle* ]]; then
+  echo "a circle of rooms passes: $said" >&2
+  failures=$((failures + 1))
+fi
+
 ((failures == 0)) || exit 1
 echo "what is forbidden is refused"
