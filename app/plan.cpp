@@ -71,9 +71,12 @@ double print_plan(const studies::Study& study, core::Isa isa, int threads) {
   fmt::print("  blocks   {} of {} trials\n", blocks, block);
   fmt::print("  pilot    {} per trial and thread, all methods, with {} ({} trials)\n",
              trial_time_text(pilot.seconds_per_trial), plan.header.isa, pilot.trials);
-  // A block is the work of one thread.
+  // A block is the work of one thread, and they are computed in rounds of so many as there are threads.
   const auto busy = static_cast<int>(std::min(static_cast<std::uint64_t>(threads), blocks));
-  const double seconds = (pilot.seconds_per_trial * trials + pilot.seconds_per_cell * cells) / busy;
+  const auto at_once = static_cast<std::uint64_t>(threads);
+  const std::uint64_t rounds = (blocks + at_once - 1) / at_once;
+  const double seconds = (pilot.seconds_per_trial * trials + pilot.seconds_per_cell * cells) *
+                         static_cast<double>(rounds) / static_cast<double>(blocks);
   fmt::print("  time     about {} on {} thread{}{}\n", duration_text(seconds), threads, threads == 1 ? "" : "s",
              busy < threads ? fmt::format(", {} of them at work: there are no more blocks", busy) : "");
   if (study.audit > 0.0) {

@@ -25,11 +25,17 @@ Recomputation recomputation_of(const std::string& result) {
     throw core::InputError(
         fmt::format("{}: was computed with the instruction set {}, which this processor lacks", result, header.isa));
   }
+  const std::string other_version = fmt::format(
+      "{}: was computed by another version of the experiment {}; run the study again", result, header.experiment);
+  // Before its study, which this version may read otherwise.
+  const studies::Experiment* experiment = studies::find_experiment(header.experiment);
+  if (experiment != nullptr && experiment->version() != header.experiment_version) {
+    throw core::InputError(other_version);
+  }
   studies::Study study = studies::read_study({result, result, header.study_toml});
   studies::Plan plan = studies::make_plan(study, *isa);
   if (plan.header.study_hash != header.study_hash) {
-    throw core::InputError(fmt::format("{}: was computed by another version of the experiment {}; run the study again",
-                                       result, header.experiment));
+    throw core::InputError(other_version);
   }
   return {std::move(header), std::move(study), std::move(plan)};
 }

@@ -45,11 +45,16 @@ std::vector<studies::Method> chosen_methods(const studies::Study& study, const R
   if (options.methods.empty()) chosen = study.methods;
   std::vector<std::string> labels;
   for (const studies::Method& method : study.methods) labels.push_back(method.label);
+  const std::vector<std::string> own = studies::label_names(*study.experiment);
   for (const std::string& label : options.methods) {
+    // What an experiment reports under its own label belongs to every replay.
+    if (std::ranges::find(own, label) != own.end()) continue;
     check_name("--method", label, labels);
     chosen.push_back(*std::ranges::find(study.methods, label, &studies::Method::label));
   }
   const std::vector<std::string> solvers = studies::solvers_of(*study.experiment);
+  if (!options.solvers.empty() && solvers.empty())
+    studies::refuse_missing(*study.experiment, studies::SolverChoice::what);
   for (const std::string& solver : options.solvers) {
     check_name("--solver", solver, solvers);
     const bool taken = std::ranges::find(chosen, solver, &studies::Method::label) != chosen.end();

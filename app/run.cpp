@@ -127,8 +127,10 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
     const std::string trials = job.study.stop
                                    ? fmt::format("{} to {}", job.study.stop->min_trials, job.study.stop->max_trials)
                                    : std::to_string(job.assignment.trials);
-    fmt::print(stderr, "{}: {}, {} trials each, {} on {} with {}{}: {}\n", job.study.name,
-               count_text(job.assignment.cells.size(), "cell"), trials, count_text(asked_methods(job), "method"),
+    const std::string methods =
+        job.study.methods.empty() ? "" : fmt::format(", {}", count_text(asked_methods(job), "method"));
+    fmt::print(stderr, "{}: {}, {} trials each{} on {} with {}{}: {}\n", job.study.name,
+               count_text(job.assignment.cells.size(), "cell"), trials, methods,
                count_text(static_cast<std::uint64_t>(threads), "thread"), job.plan.header.isa,
                shard.count == 1 ? "" : fmt::format(", share {} of {}", shard.number, shard.count),
                duration_text(seconds));

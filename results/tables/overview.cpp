@@ -22,18 +22,21 @@ std::string count_text(std::size_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+/// Methods that run on trials, of all or of some; labels of what belongs to the scene are none.
+std::size_t solver_count(const Summary& summary, const std::vector<std::size_t>& methods) {
+  return static_cast<std::size_t>(std::ranges::count_if(methods, [&](std::size_t m) { return is_solver(summary, m); }));
+}
+
 std::string shown_text(const Summary& summary, const SummaryChoice& choice) {
-  const Header& header = summary.header;
-  const auto part = [](std::size_t shown, std::size_t all, const char* what) {
-    return shown == all ? "all " + count_text(all, what) : fmt::format("{} of {}", shown, count_text(all, what));
+  const SummaryChoice all = whole(summary.header);
+  const auto part = [](std::size_t shown, std::size_t of, const char* what) {
+    return shown == of ? "all " + count_text(of, what) : fmt::format("{} of {}", shown, count_text(of, what));
   };
-  std::size_t shown = 0;
-  for (const std::size_t m : choice.methods) shown += header.methods[m].difference ? 0 : 1;
-  const auto all = static_cast<std::size_t>(
-      std::ranges::count_if(header.methods, [](const MethodInfo& method) { return !method.difference; }));
-  if (shown == all && choice.cells.size() == header.cells.size()) return "";
-  return fmt::format("shown: {}, {}\n", part(choice.cells.size(), header.cells.size(), "cell"),
-                     part(shown, all, "method"));
+  const std::size_t shown = solver_count(summary, choice.methods);
+  const std::size_t solvers = solver_count(summary, all.methods);
+  if (shown == solvers && choice.cells.size() == all.cells.size()) return "";
+  return fmt::format("shown: {}{}\n", part(choice.cells.size(), all.cells.size(), "cell"),
+                     solvers == 0 ? "" : fmt::format(", {}", part(shown, solvers, "method")));
 }
 
 std::string common_axes_text(const Header& header, const std::vector<std::size_t>& cells) {
@@ -46,14 +49,10 @@ std::string common_axes_text(const Header& header, const std::vector<std::size_t
 
 std::string heading(const Summary& summary, const SummaryChoice& choice) {
   const Header& header = summary.header;
-  const auto solvers = [&] {
-    std::size_t count = 0;
-    for (std::size_t m = 0; m < header.methods.size(); ++m) count += is_solver(summary, m) ? 1 : 0;
-    return count;
-  }();
+  const std::size_t solvers = solver_count(summary, whole(header).methods);
   return wrapped_text(header.title.empty() ? header.experiment : header.title, width) +
-         fmt::format("experiment {} (version {}), {}, seed {}\n", header.experiment, header.experiment_version,
-                     count_text(solvers, "method"), header.seed) +
+         fmt::format("experiment {} (version {}){}, seed {}\n", header.experiment, header.experiment_version,
+                     solvers == 0 ? "" : fmt::format(", {}", count_text(solvers, "method")), header.seed) +
          wrapped_text(completeness_text(summary), width) + shown_text(summary, choice) +
          common_axes_text(header, choice.cells);
 }

@@ -169,20 +169,20 @@ FittedTable failure_table(const Summary& summary, const SummaryChoice& choice) {
   table.label = "method";
   table.columns = {{"failed", "", Align::Right}, {"trials", "", Align::Right}, {"rate [95 %]", "", Align::Point}};
   const std::vector<std::size_t> axes = varying_axes(header, choice.cells);
-  if (!axes.empty()) table.columns.push_back({"most in one cell", "", Align::Left});
   table.columns.push_back({"how", "", Align::Left});
+  if (!axes.empty()) table.columns.push_back({"most in one cell", "", Align::Left});
   for (const std::size_t m : choice.methods) {
     if (!is_solver(summary, m)) continue;
     const Failures failures = failures_of(summary, choice, m);
     FittedTable::Row row{0, header.methods[m].label, {}};
     row.entries = {fmt::format("{}", failures.failed), fmt::format("{}", failures.trials),
                    rate_text(failures.failed, failures.trials)};
+    row.entries.push_back(reasons_text(header.schema, failures));
     if (!axes.empty()) {
       row.entries.push_back(failures.failed == 0 ? ""
                                                  : fmt::format("{:.2g}: {}", failures.worst_rate,
                                                                axes_text(header, axes, failures.worst_cell)));
     }
-    row.entries.push_back(reasons_text(header.schema, failures));
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -149,11 +149,14 @@ std::string template_toml(const Experiment& experiment) {
   out +=
       "\n# Axes to sweep, crossed: any setting above that you take out there. Values as a list or as a range\n"
       "# { from = 0.1, to = 0.5, step = 0.1 }. zip = [[\"a\", \"b\"]] moves axes together, exclude = [{ a = 1, b = 2 "
-      "}]\n"
-      "# leaves cells out. Methods are compared on the same trials; each may set any key of [solver] that its solver\n"
-      "# reads for itself, and is called after its solver unless it has a name. Differences to the first method are "
-      "taken\n"
-      "# trial by trial; [[compare]] method = \"a\" with = \"b\" chooses other pairs. Figures: ridgeloc plot FILE.h5\n";
+      "}]\n# leaves cells out.";
+  if (offered<SolverChoice>(experiment) != nullptr) {
+    out +=
+        " Methods are compared on the same trials; each may set any key of [solver] that its solver\n"
+        "# reads for itself, and is called after its solver unless it has a name. Differences to the first method are "
+        "taken\n# trial by trial; [[compare]] method = \"a\" with = \"b\" chooses other pairs.";
+  }
+  out += " Figures: ridgeloc plot FILE.h5\n";
   out += experiment.example();
   return out;
 }
