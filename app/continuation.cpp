@@ -37,10 +37,10 @@ core::Isa isa_of(const std::string& asked, const std::vector<results::Header>& h
   }
   const auto isa = core::find_isa(begun);
   if (isa && core::is_supported(*isa)) return *isa;
-  throw core::InputError(
-      fmt::format("{}: was begun with the instruction set {}, which this processor lacks; go on where it began, remove "
-                  "it, or choose another -o",
-                  output, begun));
+  throw core::InputError(fmt::format(
+      "{}: was begun with the instruction set {}, which this processor or build lacks; go on where it began, remove "
+      "it, or choose another -o",
+      output, begun));
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ Recomputation recomputation_of(const std::string& result) {
   }
   const auto isa = core::find_isa(header.isa);
   if (!isa || !core::is_supported(*isa)) {
-    throw core::InputError(
-        fmt::format("{}: was computed with the instruction set {}, which this processor lacks", result, header.isa));
+    throw core::InputError(fmt::format(
+        "{}: was computed with the instruction set {}, which this processor or build lacks", result, header.isa));
   }
   const std::string other_version = fmt::format(
       "{}: was computed by another version of the experiment {}; run the study again", result, header.experiment);

@@ -3,10 +3,12 @@
 #include <array>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 
 #include "solvers/estimators/k_kernels.hpp"
 #include "solvers/methods/ridge_weights.hpp"
 #include "solvers/methods/step.hpp"
+#include "solvers/models/kernel_size.hpp"
 #include "solvers/models/least_squares.hpp"
 #include "solvers/models/weight.hpp"
 #include "solvers/objective.hpp"
@@ -161,9 +163,12 @@ struct Ridge : SolverDefaults {
   static constexpr bool is_least_squares = false;
   static constexpr Objective anchored = Objective::none("pulls to the start: biased on purpose");
 
-  using Variants = std::tuple<RidgeMethod<robust, RidgeKind::Paper>, RidgeMethod<robust, RidgeKind::Plain>,
-                              RidgeMethod<robust, RidgeKind::General>>;
+  using Specialized = std::tuple<RidgeMethod<robust, RidgeKind::Paper>, RidgeMethod<robust, RidgeKind::Plain>,
+                                 RidgeMethod<robust, RidgeKind::General>>;
+  using Variants =
+      std::conditional_t<has_specialized_kernels, Specialized, std::tuple<RidgeMethod<robust, RidgeKind::General>>>;
   static std::size_t variant(const SolverOptions& o) {
+    if (!has_specialized_kernels) return 0;
     const bool plain = o.normalize_weights == NormalizeWeights::Off && o.irls_residual == IrlsResidual::Current &&
                        o.ols_mode == OlsMode::Step && o.ridge_anchor == RidgeAnchor::Current &&
                        o.sigma2_source == Sigma2Source::NonlinearMs;

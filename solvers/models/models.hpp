@@ -24,7 +24,7 @@ void with_model(const core::ProblemBatch& problems, const SolverOptions& options
     if (height_known) return f(std::type_identity<PseudorangeModel<Narrow, 2, true>>{});
     return f(std::type_identity<PseudorangeModel<Narrow, 3, true>>{});
   }
-  if constexpr (size == KernelSize::Unrolled) {
+  if constexpr (size == KernelSize::Unrolled && has_specialized_kernels) {
     if (!problems.has_scores() && options.jacobian == Jacobian::Exact) {
       switch (problems.points()) {
         case 3:
