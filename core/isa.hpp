@@ -8,7 +8,7 @@
 namespace ridgeloc::core {
 
 /// Instruction sets that kernels are compiled for. Numbers of two of them may differ in the last bits: only Avx2 and
-/// Avx512 have a fused multiply-add, and with that the same numbers but for the exception that core/refine.hpp names.
+/// Avx512 have a fused multiply-add, and with that the same numbers.
 enum class Isa {
   Baseline,  ///< what every processor of the architecture has (SSE2 on x86-64, NEON on arm64)
   Avx2,      ///< AVX2 and FMA

@@ -23,7 +23,7 @@ class Ranging : public Experiment, public SolverChoice, public ReferenceAudit, p
   std::string_view summary() const override {
     return "noisy ranges to objects in a field of view (RRR paper, section 4, Fig. 3)";
   }
-  int version() const override { return 4; }
+  int version() const override { return 5; }
   std::uint64_t block_trials() const override { return 4096; }
   std::span<const Setting> settings() const override { return ranging_settings(); }
   const results::Schema& schema() const override { return ranging::schema(); }
