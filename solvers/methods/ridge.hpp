@@ -24,7 +24,8 @@ enum class RidgeKind {
 /// at every iteration (RRR paper, eqs. 10, 12, 13, 14).
 ///
 /// W is diag(s^2), or the robust weights of weight.hpp at x_k. An estimator of K that learns from the data gets one
-/// least-squares step dx_ls at x_k, with W = diag(s^2) in either case, and sigma2 = e'We / n at x_k - dx_ls.
+/// least-squares step dx_ls at x_k, with W = diag(s^2) in either case, and sigma2 = e'We / n at x_k - dx_ls, what is
+/// known of v among the n observations.
 template <bool robust, RidgeKind kind>
 struct RidgeMethod : MethodDefaults {
   static constexpr bool has_k = true;
@@ -132,24 +133,27 @@ struct RidgeMethod : MethodDefaults {
     if (!plain && options.ols_mode == OlsMode::Full) ols.ols_step = full_least_squares(options, model, u, ols);
   }
 
+  /// What is known of v is one of the n observations, and its weighted squared residual one of the squares, in every
+  /// sigma2.
   template <class Model, class Vector, class Real, std::size_t P>
   void fill_variance(const Model& model, const Vector& u, const KTraits& estimator, KContext<Real, P>& c) const {
     const ScoreWeights scores(options);
-    const auto n = static_cast<double>(model.points());
+    const auto squares_at = [&](const Vector& at) {
+      return weighted_squares(model, at, scores) + model.prior_squares(at);
+    };
+    const auto n = static_cast<double>(c.observations);
     const bool by_dof = !plain && options.sigma2_source == Sigma2Source::Dof;
-    if (estimator.needs_squares || by_dof) c.squares = weighted_squares(model, u, scores) + model.prior_squares(u);
+    if (estimator.needs_squares || by_dof) c.squares = squares_at(u);
     if (by_dof) {
-      const auto freedom = static_cast<double>(c.observations) - static_cast<double>(P);
       // At the end of Gauss-Newton the linearised problem has nothing left to fit.
-      const Vector end = core::subtract(u, c.ols_step);
       const Real rest = options.ols_mode == OlsMode::Full
-                            ? weighted_squares(model, end, scores) + model.prior_squares(end)
+                            ? squares_at(core::subtract(u, c.ols_step))
                             : core::max(c.squares - core::dot(c.least_squares.gradient, c.ols_step), Real(0.0));
-      c.sigma2 = rest * core::reciprocal(Real(freedom));
+      c.sigma2 = rest * core::reciprocal(Real(n - static_cast<double>(P)));
     } else if (!plain && options.sigma2_source == Sigma2Source::Prior) {
       c.sigma2 = Real(options.sigma_prior_m * options.sigma_prior_m);
     } else {
-      c.sigma2 = weighted_squares(model, core::subtract(u, c.ols_step), scores) * Real(1.0 / n);
+      c.sigma2 = squares_at(core::subtract(u, c.ols_step)) * Real(1.0 / n);
     }
   }
 };
