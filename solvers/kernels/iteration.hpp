@@ -135,7 +135,7 @@ template <class Method, class Model, class Real = typename Model::Real>
           },
       u, weights, equations, squares);
   model.add_prior(u, weights.largest(), equations);
-  const auto rest = core::solve(equations.matrix, equations.gradient);
+  const auto rest = core::solve(equations.matrix, equations.gradient, model.observations());
   const Real remaining = core::select(rest.singular, Real(std::numeric_limits<double>::infinity()),
                                       core::sqrt(model.squared_move(rest.x)));
   const Real rms = core::sqrt(squares * Real(1.0 / static_cast<double>(model.points())));

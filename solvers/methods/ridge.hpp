@@ -92,7 +92,7 @@ struct RidgeMethod : MethodDefaults {
       const Vector pull = core::multiply(k, core::subtract(u, model.start()));
       core::unroll<P>([&](auto i) { equations.gradient[i] = equations.gradient[i] + pull[i]; });
     }
-    const auto solution = core::solve(equations.matrix, equations.gradient);
+    const auto solution = core::solve(equations.matrix, equations.gradient, model.observations());
     const core::Mask<Real> singular = ols.singular | solution.singular;
     return {solution.x, singular, !singular, core::diagonal(k)};
   }
@@ -127,7 +127,7 @@ struct RidgeMethod : MethodDefaults {
 
   template <class Model, class Vector, class Real = typename Model::Real>
   void solve_least_squares(const Model& model, const Vector& u, LeastSquares<Real, Model::unknowns>& ols) const {
-    const auto solution = core::solve(ols.equations.matrix, ols.equations.gradient);
+    const auto solution = core::solve(ols.equations.matrix, ols.equations.gradient, model.observations());
     ols.ols_step = solution.x;
     ols.singular = solution.singular;
     if (!plain && options.ols_mode == OlsMode::Full) ols.ols_step = full_least_squares(options, model, u, ols);

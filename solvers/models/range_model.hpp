@@ -83,6 +83,13 @@ class RangeModel {
     const Real m = measured(j);
     return {core::scale(Real(-2.0), p), core::neg_mul_add(m, m, core::dot(p, p))};
   }
+  /// How large the numbers are whose difference row j of the lifted equation is.
+  Vector lifted_size(std::size_t j) const {
+    const Vector origin = start();
+    const std::size_t column = core::ProblemBatch::position_column(j, 0);
+    return core::make_vector<unknowns>(
+        [&](auto i) { return Real(2.0) * (core::abs(value(column + i)) + core::abs(origin[i])); });
+  }
   Vector unlifted(const Vector& y) const {
     const Vector origin = start();
     return {origin[0] + y[0], origin[1] + y[1], origin[2] + y[2]};

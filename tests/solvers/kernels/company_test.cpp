@@ -198,6 +198,7 @@ TEST_CASE("all this holds for every option and for pseudoranges") {
       const Mixed& mixed = measured == Measured::Ranges ? mixed_ranges : mixed_images;
       INFO(name << ", " << points << " points");
       core::SolutionBatch reference;
+      core::SolutionBatch fused;
       core::SolutionBatch together;
       core::SolutionBatch apart;
       method.entry->solve(batch.problems, method.options, &batch.oracle, reference);
@@ -208,6 +209,8 @@ TEST_CASE("all this holds for every option and for pseudoranges") {
         INFO(core::name_of(isa));
         method.entry->kernel(isa)(batch.problems, method.options, &batch.oracle, together);
         if (isa == core::Isa::Baseline) CHECK(differing(reference, together) == 0);
+        if (isa == core::Isa::Avx2) fused = together;
+        if (isa == core::Isa::Avx512) CHECK(differing(fused, together) == 0);
         method.entry->kernel(isa)(batch.problems, same_draws, &batch.oracle, together);
         method.entry->kernel(isa)(mixed.batch.problems, same_draws, &mixed.batch.oracle, apart);
         CHECK(mixed.differing(apart, together) == 0);
