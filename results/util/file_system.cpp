@@ -122,6 +122,9 @@ void TemporaryFile::remove_leftovers(const fs::path& final_path) {
 bool begins_as_hdf5(const fs::path& file) {
   constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
   std::array<char, signature.size()> beginning{};
+  // What is read from a pipe is gone.
+  std::error_code missing;
+  if (!fs::is_regular_file(file, missing)) return false;
   std::ifstream in(file, std::ios::binary);
   in.read(beginning.data(), beginning.size());
   return in && std::string_view(beginning.data(), beginning.size()) == signature;

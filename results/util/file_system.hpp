@@ -16,7 +16,7 @@ void require_new(const std::filesystem::path& file);
 /// Throws core::InputError.
 void make_folder(const std::filesystem::path& folder);
 
-/// Whether a file begins as HDF5 files do; false for a missing one.
+/// Whether a file begins as HDF5 files do; false for a missing one, and for pipes and devices, which stay unread.
 bool begins_as_hdf5(const std::filesystem::path& file);
 
 /// Throws core::InputError if a file of this name is HDF5: a result is hours of work, and a table or a picture is not

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "studies/files/csv_column.hpp"
+#include "studies/files/csv_columns.hpp"
 #include "studies/files/toml_document.hpp"
 
 namespace ridgeloc::studies {
@@ -40,7 +40,7 @@ std::vector<double> from_file(const toml::table& table, const std::string& label
   if (!std::filesystem::is_regular_file(path, ignored)) {
     fail_at(*table.get("file"), fmt::format("{}.file: there is no file {}", label, path.string()));
   }
-  return read_csv_column(path, column, most_samples + 1);
+  return std::move(read_csv_columns(path, {column}, most_samples + 1).front());
 }
 
 }  // namespace

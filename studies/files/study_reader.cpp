@@ -125,9 +125,11 @@ StudySource find_study(std::string_view path_or_name) {
   if (const CatalogEntry* entry = find_in_catalog(path_or_name)) {
     return {std::string(entry->name), std::string(entry->name), std::string(entry->text)};
   }
+  // Whatever can be read once: a script may write a study into a pipe.
   const std::filesystem::path path(path_or_name);
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) {
+  const auto status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status) || std::filesystem::is_directory(status)) {
     std::vector<std::string> names;
     for (const CatalogEntry& entry : catalog()) names.emplace_back(entry.name);
     throw core::InputError(fmt::format("{}: no such study file, and no study of that name in the catalog{}",

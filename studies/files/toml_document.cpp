@@ -26,21 +26,40 @@ toml::table parse(std::string_view text, const std::string& origin) {
   }
 }
 
+/// The key of an override as a position below `end` in a list of `size`.
+std::size_t position_in(std::size_t size, std::size_t end, const std::string& key, const std::string& origin) {
+  std::size_t index = 0;
+  const auto [rest, failure] = std::from_chars(key.data(), key.data() + key.size(), index);
+  if (failure == std::errc{} && rest == key.data() + key.size() && index < end) return index;
+  throw core::InputError(
+      fmt::format("{}: \"{}\" is not a position in a list of {} (they count from 0)", origin, key, size));
+}
+
 /// Follows one key of an override's path, making tables that are not there.
 toml::node& descend(toml::node& node, const std::string& key, const std::string& origin) {
-  if (toml::array* array = node.as_array()) {
-    std::size_t index = 0;
-    const auto [end, failure] = std::from_chars(key.data(), key.data() + key.size(), index);
-    if (failure == std::errc{} && end == key.data() + key.size() && index < array->size()) return (*array)[index];
-    throw core::InputError(
-        fmt::format("{}: \"{}\" is not a position in a list of {} (they count from 0)", origin, key, array->size()));
-  }
+  if (toml::array* array = node.as_array()) return (*array)[position_in(array->size(), array->size(), key, origin)];
   if (toml::table* table = node.as_table()) {
     if (!table->contains(key))
       table->insert(key, std::move(*toml::parse("new = {}", origin).get_as<toml::table>("new")));
     return *table->get(key);
   }
   throw core::InputError(fmt::format("{}: \"{}\" lies inside a value that is not a table", origin, key));
+}
+
+/// Puts a value where the last key of an override's path says: in a list in place of an entry, or behind all of them.
+void place(toml::node& parent, const std::string& key, toml::node&& value, const std::string& origin) {
+  // Moved, not copied: copies of nodes forget where they came from.
+  std::move(value).visit([&](auto&& moved) {
+    if (toml::table* table = parent.as_table()) {
+      table->insert_or_assign(key, std::forward<decltype(moved)>(moved));
+    } else if (toml::array* array = parent.as_array()) {
+      const std::size_t index = position_in(array->size(), array->size() + 1, key, origin);
+      if (index < array->size()) array->erase(array->cbegin() + static_cast<std::ptrdiff_t>(index));
+      array->insert(array->cbegin() + static_cast<std::ptrdiff_t>(index), std::forward<decltype(moved)>(moved));
+    } else {
+      throw core::InputError(fmt::format("{}: \"{}\" lies inside a value that is not a table", origin, key));
+    }
+  });
 }
 
 void apply_override(toml::table& document, const std::string& text) {
@@ -67,12 +86,7 @@ void apply_override(toml::table& document, const std::string& text) {
     node = &descend(*node, path.substr(begin, dot - begin), origin);
     begin = dot + 1;
   }
-  toml::table* parent = node->as_table();
-  if (parent == nullptr) throw core::InputError(fmt::format("{}: \"{}\" is not a table", origin, path));
-  // Moved, not copied: copies of nodes forget where they came from.
-  std::move(*parsed.get("value")).visit([&](auto&& moved) {
-    parent->insert_or_assign(path.substr(begin), std::forward<decltype(moved)>(moved));
-  });
+  place(*node, path.substr(begin), std::move(*parsed.get("value")), origin);
 }
 
 /// A finite number, whole or not.

@@ -79,6 +79,37 @@ solver = "ols"
   CHECK(bad.error == "ridgeloc: data/residuals.csv:3: \"?\" in column \"e_m\" is not a number\n");
 }
 
+TEST_CASE("a study may be called anything, and its figures can be drawn") {
+  const WorkingFolder folder;
+  for (const std::string name : {"my study", "study (1)", "größe", "a+b", ".hidden"}) {
+    INFO(name);
+    REQUIRE(folder.ridgeloc("new ranging -o '" + name + ".toml'").exit_code == 0);
+    const Outcome run = folder.ridgeloc("run '" + name + ".toml' --trials 10 --audit 0 --threads 1");
+    INFO(run.error);
+    CHECK(run.exit_code == 0);
+    const Outcome plot = folder.ridgeloc("plot '" + name + ".h5'");
+    REQUIRE(plot.exit_code == 0);
+    CHECK(folder.has(plot.out.substr(0, plot.out.size() - 1)));
+  }
+}
+
+TEST_CASE("a study comes from a pipe as from a file") {
+  const WorkingFolder folder;
+  folder.write("s.toml", "title = \"t\"\nexperiment = \"ranging\"\ntrials = 10\n[[method]]\nsolver = \"lm\"\n");
+  const std::string program = "'" RIDGELOC_PROGRAM "'";
+  REQUIRE(folder.ridgeloc("run s.toml -o file.h5").exit_code == 0);
+  const Outcome piped = folder.shell("cat s.toml | " + program + " run /dev/stdin -o pipe.h5");
+  INFO(piped.error);
+  REQUIRE(piped.exit_code == 0);
+  CHECK(folder.ridgeloc("verify --digest pipe.h5").out == folder.ridgeloc("verify --digest file.h5").out);
+  CHECK(folder.shell("cat s.toml | " + program + " plan /dev/stdin").exit_code == 0);
+  CHECK(folder.shell("cat s.toml | " + program + " replay /dev/stdin --trial 3").exit_code == 0);
+  const Outcome result = folder.shell("cat file.h5 | " + program + " run /dev/stdin -o other.h5");
+  CHECK(result.exit_code == 2);
+  CHECK(line_count(result.error) == 1);
+  CHECK(folder.ridgeloc("run . -o other.h5").exit_code == 2);
+}
+
 TEST_CASE("several studies go to a folder, which is made") {
   const WorkingFolder folder;
   folder.write("a.toml", small);
