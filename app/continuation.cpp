@@ -68,7 +68,13 @@ std::string difference_to(const studies::Study& study, const results::Header& fo
 }
 
 studies::Study study_of(const results::Header& header, const std::string& path) {
-  return studies::read_study({path, path, header.study_toml});
+  try {
+    return studies::read_study({path, path, header.study_toml});
+  } catch (const core::InputError& error) {
+    throw core::InputError(fmt::format("{}: this program lacks what its study names, and cannot compute any of it: {}; "
+                                       "summary, plot, report and export show it all the same",
+                                       path, error.what()));
+  }
 }
 
 Job continued(studies::Study study, const std::filesystem::path& output, const std::string& isa,

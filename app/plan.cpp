@@ -58,6 +58,7 @@ double print_plan(const studies::Study& study, core::Isa isa, int threads) {
   fmt::print("{}: {}\n", study.name, study.title);
   for (const auto& axis : plan.header.axes) fmt::print("  axis     {} ({} values)\n", axis.name, axis.values.size());
   for (const auto& method : study.methods) fmt::print("  method   {} ({})\n", method.label, method.solver);
+  for (const std::string& remark : plan.remarks) fmt::print("  note     {}\n", remark);
   fmt::print("  cells    {}\n", plan.cells.size());
   const std::string per_cell = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
   fmt::print("  trials   {}{:.0f} ({} per cell)\n", study.stop ? "about " : "", trials, per_cell);

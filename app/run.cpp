@@ -96,6 +96,7 @@ std::string kept_in(const fs::path& output) {
 /// Runs one study; returns false when it was stopped before the end.
 bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
   print_surplus(job);
+  for (const std::string& remark : job.plan.remarks) fmt::print(stderr, "{}: note: {}\n", job.study.name, remark);
   const auto begin = std::chrono::steady_clock::now();
   studies::RunProgress progress;
   studies::RunOutcome outcome;

@@ -54,7 +54,7 @@ toml::array expand_range(const toml::table& range, const Setting& setting) {
 
 SweepAxis read_axis(const toml::node& node, const Setting& setting) {
   const std::string label = fmt::format("sweep.{}", setting.name);
-  if (setting.kind == Kind::Samples || setting.kind == Kind::Building) {
+  if (setting.kind == Kind::Samples || setting.kind == Kind::Positions || setting.kind == Kind::Building) {
     fail_at(node, fmt::format("{} cannot be swept; make one study of each", setting.name));
   }
   SweepAxis axis{&setting, {}};

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "studies/files/csv_columns.hpp"
 
 namespace ridgeloc::studies {
 
@@ -126,6 +127,7 @@ std::optional<Value> read_value(const toml::node& node, const Setting& s) {
       return valid ? std::optional<Value>(Interval{*low, *high}) : std::nullopt;
     }
     case Kind::Samples:  // never here: they have messages of their own
+    case Kind::Positions:
     case Kind::Building:
       break;
   }
@@ -187,6 +189,7 @@ void check_keys(const toml::table& table, std::string_view table_name, const std
 
 Value read_setting(const toml::node& node, const Setting& setting, const std::string& label) {
   if (setting.kind == Kind::Samples) return read_samples(node, setting, label);
+  if (setting.kind == Kind::Positions) return read_positions(node, setting, label);
   if (setting.kind == Kind::Building) return read_building(node, setting, label);
   auto value = read_value(node, setting);
   if (value) return *value;
@@ -197,6 +200,17 @@ Value read_setting(const toml::node& node, const Setting& setting, const std::st
   }
   fail_at(node,
           fmt::format("{} = {} is not allowed: {} takes {}{}", label, text_of(node), label, accepted(setting), hint));
+}
+
+std::vector<std::vector<double>> read_columns_of(const toml::table& table, const std::string& label,
+                                                 const std::vector<std::string>& columns, std::size_t most) {
+  const toml::node* file = table.get("file");
+  if (file == nullptr) fail_at(table, fmt::format("{} lacks file; give {{ file = \"NAME.csv\", ... }}", label));
+  const std::filesystem::path path = folder_of(*file) / read_text(*file, fmt::format("{}.file", label));
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+    fail_at(*file, fmt::format("{}.file: there is no file {}", label, path.string()));
+  return read_csv_columns(path, columns, most);
 }
 
 std::string read_text(const toml::node& node, const std::string& label, const std::vector<std::string>& choices) {

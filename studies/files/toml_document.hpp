@@ -45,6 +45,13 @@ Value read_setting(const toml::node& node, const Setting& setting, const std::st
 /// Reads a list of numbers, which may be empty, or a column of a CSV file.
 Samples read_samples(const toml::node& node, const Setting& setting, const std::string& label);
 
+/// Reads a list of positions, which may be empty, or columns of a CSV file.
+Positions read_positions(const toml::node& node, const Setting& setting, const std::string& label);
+
+/// Reads the file of a table { file = ..., ... }: columns of a CSV file beside the study, `most` rows at most.
+std::vector<std::vector<double>> read_columns_of(const toml::table& table, const std::string& label,
+                                                 const std::vector<std::string>& columns, std::size_t most);
+
 /// Reads a map: by name, from a file, made at random, or written where it is used.
 Building read_building(const toml::node& node, const Setting& setting, const std::string& label);
 

@@ -82,6 +82,21 @@ bool Samples::operator==(const Samples& other) const {
   return std::ranges::equal(values(), other.values());
 }
 
+Positions::Positions(const std::vector<std::array<double, 3>>& places) {
+  if (places.empty()) return;
+  std::array<std::vector<double>, 3> columns;
+  for (const auto& place : places)
+    for (std::size_t axis = 0; axis < columns.size(); ++axis) columns[axis].push_back(place[axis]);
+  columns_ = std::make_shared<const std::array<std::vector<double>, 3>>(std::move(columns));
+}
+
+bool Positions::operator==(const Positions& other) const {
+  if (columns_ == other.columns_) return true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!std::ranges::equal(column(axis), other.column(axis))) return false;
+  return true;
+}
+
 std::string to_toml(const Value& value) {
   struct Writer {
     std::string operator()(std::int64_t v) const { return fmt::format("{}", v); }
@@ -90,6 +105,14 @@ std::string to_toml(const Value& value) {
     std::string operator()(const Samples& v) const {
       std::string text = "[";
       for (const double sample : v.values()) text += (text.size() > 1 ? ", " : "") + number_text(sample);
+      return text + "]";
+    }
+    std::string operator()(const Positions& v) const {
+      std::string text = "[";
+      for (std::size_t i = 0; i < v.size(); ++i) {
+        const auto [x, y, z] = v[i];
+        text += fmt::format("{}[{}, {}, {}]", i > 0 ? ", " : "", number_text(x), number_text(y), number_text(z));
+      }
       return text + "]";
     }
     std::string operator()(const Interval& v) const { return pair_text(v); }
@@ -122,6 +145,11 @@ std::string accepted(const Setting& s) {
     case Kind::Samples:
       return fmt::format("a list of numbers from {} to {}, or {{ file = \"NAME.csv\", column = \"NAME\" }}", s.low,
                          s.high);
+    case Kind::Positions:
+      return fmt::format(
+          "a list of positions [x, y, z], or [x, y] at z = 0, of numbers from {} to {}, or {{ file = "
+          "\"NAME.csv\" }} with columns x_m, y_m, z_m",
+          s.low, s.high);
     case Kind::Building:
       return "the name of a map, { file = \"NAME.toml\" }, or { random = SEED, wings = N, objects = N }";
   }

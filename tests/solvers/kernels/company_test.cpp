@@ -110,13 +110,17 @@ void for_each_method(F f) {
   for (const MethodChoice& method : methods_by_k()) f(*method.entry, method.options);
 }
 
-/// Every method with every option, on ranges and on every model of pseudoranges.
+/// Every method with every option, on ranges, with a known height too, and on every model of pseudoranges.
 template <class F>
 void for_each_choice(F f) {
   const auto by_k = methods_by_k();
   auto methods = methods_by_option();
   for (const MethodChoice& method : methods) f(method, Measured::Ranges, method.name);
   methods.insert(methods.end(), by_k.begin(), by_k.end());
+  for (MethodChoice method : methods) {
+    method.options.z_mode = solvers::ZMode::Fixed;
+    f(method, Measured::Ranges, method.name + ", known height");
+  }
   for (const ModelChoice& model : pseudorange_models()) {
     for (MethodChoice method : methods) {
       apply(model, method.options);

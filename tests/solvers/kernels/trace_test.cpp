@@ -79,6 +79,12 @@ TEST_CASE("a trace ends where the solver does, bit for bit") {
       CHECK(differing(method, batch) == 0);
     }
   }
+  const Batch ranges(5, false);
+  for (MethodChoice method : methods) {
+    method.options.z_mode = solvers::ZMode::Fixed;
+    INFO(method.name << ", known height");
+    CHECK(differing(method, ranges) == 0);
+  }
   const Batch images(6, true);
   for (const ModelChoice& model : pseudorange_models()) {
     for (MethodChoice method : methods) {

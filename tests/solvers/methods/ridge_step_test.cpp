@@ -26,6 +26,7 @@ struct Case {
 };
 const Case cases[] = {
     {"ranges", false, solvers::ZMode::Free, solvers::VMode::Free},
+    {"ranges of known height", false, solvers::ZMode::Fixed, solvers::VMode::Free},
     {"x, y", true, solvers::ZMode::Fixed, solvers::VMode::Fixed},
     {"x, y, v", true, solvers::ZMode::Fixed, solvers::VMode::Free},
     {"x, y, z", true, solvers::ZMode::Free, solvers::VMode::Fixed},

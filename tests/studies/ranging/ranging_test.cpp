@@ -170,7 +170,7 @@ solver = "ols"
              {0x927c747acb3f9c59, 0xd2684ff90e725d90},
              {0x78a01723cd172378, 0xde744d16eab6c4f2}});
   const Study study = read_study({"golden", "golden.toml", golden.study}, std::vector<std::string>{"trials=4096"});
-  REQUIRE(study.experiment->version() == 4);
+  REQUIRE(study.experiment->version() == 5);
   for (const core::Isa isa : {core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512}) {
     if (!core::is_supported(isa)) continue;
     const auto rows = first_block(study, isa);
