@@ -57,7 +57,7 @@ struct Slow : Experiment {
 struct Bench {
   Bench() {
     study.experiment = &experiment;
-    for (std::size_t i = 0; i < 3; ++i) plan.cells.push_back({i, {}, {}, {}});
+    for (std::size_t i = 0; i < 3; ++i) plan.cells.push_back({.index = i, .hash = {}, .indices = {}, .values = {}});
     made = 0;
     most_at_once = 0;
   }
