@@ -33,13 +33,7 @@ class DetectionSimulation : public Simulation, public TrialReplay {
   /// Throws core::InputError where the first trial finds no photo, since others then find none as good as never.
   DetectionSimulation(const StudyKey& key, const Cell& cell) : settings_(cell.values), trials_(key.seed, settings_) {
     sim::Photo photo;
-    if (trials_.take(0, photo)) return;
-    if (trials_.is_crowded(photo)) {
-      throw core::InputError(
-          fmt::format("a photo of the map \"{}\" shows more objects that count than can be told apart; make "
-                      "photo.farthest_m smaller",
-                      settings_.photo.map->name));
-    }
+    if (trials_.take(0, photo) || trials_.is_crowded(photo)) return;
     throw core::InputError(fmt::format(
         "among {} photos of the map \"{}\" none shows an object with object.object_class = \"{}\", object.distance = "
         "\"{}\" and {} detections{}; ask for what the map shows",
