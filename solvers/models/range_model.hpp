@@ -49,13 +49,7 @@ class RangeModel {
 
   Vector start() const { return unknown_part({start(0), start(1), start(2)}); }
   Vector given(const core::Vector3<Real>& position, const Real&) const { return unknown_part(position); }
-  [[gnu::always_inline]] core::Vector3<Real> position(const Vector& u) const {
-    if constexpr (Positions == core::position_parameters) {
-      return u;
-    } else {
-      return {u[0], u[1], start(2)};
-    }
-  }
+  core::Vector3<Real> position(const Vector& u) const { return place(u); }
   Real image_distance(const Vector&) const { return Real(0.0); }
 
   [[gnu::always_inline]] Observation<Real, unknowns> observe(std::size_t j, const Vector& u) const {
@@ -110,23 +104,30 @@ class RangeModel {
 
   [[gnu::always_inline]] core::Vector3<Real> from_point(std::size_t j, const Vector& u) const {
     const std::size_t column = core::ProblemBatch::position_column(j, 0);
-    const core::Vector3<Real> at = position(u);
+    const core::Vector3<Real>& at = place(u);
     return {at[0] - value(column), at[1] - value(column + 1), at[2] - value(column + 2)};
   }
 
-  [[gnu::always_inline]] static Vector unknown_part(const core::Vector3<Real>& d) {
+  // From unknowns to coordinates and back. References where they are the same: copies would cost registers.
+  [[gnu::always_inline]] decltype(auto) place(const Vector& u) const {
     if constexpr (Positions == core::position_parameters) {
-      return d;
+      return (u);
     } else {
-      return {d[0], d[1]};
+      return core::Vector3<Real>{u[0], u[1], start(2)};
     }
   }
-
-  [[gnu::always_inline]] static core::Vector3<Real> whole(const Vector& du) {
+  [[gnu::always_inline]] static decltype(auto) whole(const Vector& du) {
     if constexpr (Positions == core::position_parameters) {
-      return du;
+      return (du);
     } else {
-      return {du[0], du[1], Real(0.0)};
+      return core::Vector3<Real>{du[0], du[1], Real(0.0)};
+    }
+  }
+  [[gnu::always_inline]] static decltype(auto) unknown_part(const core::Vector3<Real>& d) {
+    if constexpr (Positions == core::position_parameters) {
+      return (d);
+    } else {
+      return Vector{d[0], d[1]};
     }
   }
 
