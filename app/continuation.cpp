@@ -71,9 +71,10 @@ studies::Study study_of(const results::Header& header, const std::string& path) 
   try {
     return studies::read_study({path, path, header.study_toml});
   } catch (const core::InputError& error) {
-    throw core::InputError(fmt::format("{}: this program lacks what its study names, and cannot compute any of it: {}; "
-                                       "summary, plot, report and export show it all the same",
-                                       path, error.what()));
+    throw core::InputError(
+        fmt::format("{}: this program lacks what its study names, and cannot compute any of it: {}; "
+                    "summary, plot, report and export show it all the same",
+                    path, error.what()));
   }
 }
 

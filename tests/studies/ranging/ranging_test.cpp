@@ -182,21 +182,7 @@ noise_model = "proportional"
 solver = "lm"
 )",
              {0x772fd2d391b1bfe5, 0x19ce447719c227c0},
-             {0xe0701463f7c46c3d, 0xbf8e9f04dc5cbf5c}},
-      Golden{R"(
-experiment = "ranging"
-[scene]
-objects = "given"
-objects_m = [[0, 0], [8, 0], [8, 6], [0, 6]]
-camera_m = [[1, 2], [6, 5], [4, 3]]
-z_mode = "fixed"
-[[method]]
-solver = "rr"
-[[method]]
-solver = "irls"
-)",
-             {0x39c5e5ecbfa5f1f2, 0x2f56fb13db5a7cc9, 0xab3f7eb683bdfa45},
-             {0x76161437f9ae9b10, 0x5ac6b60a238890cb, 0xc7ba2243dcdc27b4}});
+             {0xe0701463f7c46c3d, 0xbf8e9f04dc5cbf5c}});
   const Study study = read_study({"golden", "golden.toml", golden.study}, std::vector<std::string>{"trials=4096"});
   REQUIRE(study.experiment->version() == 5);
   for (const core::Isa isa : {core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512}) {
