@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/isa.hpp"
 #include "studies/registry.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/support/catch.hpp"
@@ -24,6 +25,7 @@ struct WithForeignResult : WorkingFolder {
   WithForeignResult(const std::string& experiment, const std::string& study_toml) {
     results::Header header = sample_header();
     header.experiment = experiment;
+    header.isa = core::name_of(core::Isa::Baseline);
     const studies::Experiment* known = studies::find_experiment(experiment);
     if (known != nullptr) header.experiment_version = known->version();
     header.study_toml = study_toml;
