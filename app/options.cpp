@@ -4,8 +4,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <thread>
 
 #include "core/isa.hpp"
@@ -16,14 +14,6 @@ namespace ridgeloc::app {
 namespace {
 
 constexpr int max_threads = 1024;
-
-/// "1e6" as TOML would have it, "1000000"; other texts unchanged, for the study reader to judge.
-std::string whole_number(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const bool exact = end != text.c_str() && *end == '\0' && value == std::floor(value) && std::fabs(value) < 1e15;
-  return exact ? fmt::format("{:.0f}", value) : text;
-}
 
 /// What describes one figure. All of it needs --y, without which the figures of the study are drawn.
 void add_figure_options(CLI::App& verb, results::FigureSpec& figure, CLI::Option* chosen) {
@@ -79,11 +69,11 @@ void add_study_options(CLI::App& verb, StudyOptions& options) {
   verb.add_option("STUDY", options.studies, "study files, or names from the catalog (ridgeloc list studies)")
       ->required();
   verb.add_option_function<std::string>(
-          "--trials", [&options](const std::string& n) { options.overrides.push_back("trials=" + whole_number(n)); },
+          "--trials", [&options](const std::string& n) { options.overrides.push_back("trials=" + n); },
           "trials per cell (10000, 1e6)")
       ->type_name("N");
   verb.add_option_function<std::string>(
-          "--seed", [&options](const std::string& n) { options.overrides.push_back("seed=" + whole_number(n)); },
+          "--seed", [&options](const std::string& n) { options.overrides.push_back("seed=" + n); },
           "seed of all random numbers")
       ->type_name("N");
   verb.add_option_function<std::string>(

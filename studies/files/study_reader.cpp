@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "results/util/file_system.hpp"
 #include "studies/catalog/catalog.hpp"
 #include "studies/files/sections.hpp"
@@ -131,7 +132,7 @@ StudySource find_study(std::string_view path_or_name) {
     std::vector<std::string> names;
     for (const CatalogEntry& entry : catalog()) names.emplace_back(entry.name);
     throw core::InputError(fmt::format("{}: no such study file, and no study of that name in the catalog{}",
-                                       path_or_name, suggestion(path_or_name, names)));
+                                       core::excerpt(path_or_name), suggestion(path_or_name, names)));
   }
   if (results::begins_as_hdf5(path)) {
     throw core::InputError(fmt::format(

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 
 namespace ridgeloc::studies {
 
@@ -44,7 +45,7 @@ toml::node& descend(toml::node& node, const std::string& key, const std::string&
 }
 
 void apply_override(toml::table& document, const std::string& text) {
-  const std::string origin = std::string(override_prefix) + text;
+  const std::string origin = std::string(override_prefix) + core::excerpt(text);
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos) {
     throw core::InputError(fmt::format("{}: expected KEY=VALUE, for example scene.depth_m=[2,15]", origin));
@@ -82,13 +83,31 @@ std::optional<double> number(const toml::node& node) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+/// As an array or table of the document has it, in one line.
+std::string inline_text(const toml::node& node) {
+  std::string text;
+  if (const toml::array* array = node.as_array()) {
+    for (const toml::node& element : *array) text += (text.empty() ? "" : ", ") + inline_text(element);
+    return text.empty() ? "[]" : fmt::format("[ {} ]", text);
+  }
+  if (const toml::table* table = node.as_table()) {
+    for (const auto& [key, value] : *table)
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key.str(), inline_text(value));
+    return text.empty() ? "{}" : fmt::format("{{ {} }}", text);
+  }
+  // The shortest form, not the seventeen digits of the library.
+  if (node.is_floating_point()) return to_toml(Value(*node.value<double>()));
+  std::ostringstream out;
+  node.visit([&](const auto& concrete) { out << concrete; });
+  return out.str();
+}
+
 std::optional<Value> read_value(const toml::node& node, const Setting& s) {
   const auto within = [&s](double v) { return s.low <= v && v <= s.high; };
   switch (s.kind) {
     case Kind::Integer: {
-      if (!node.is_integer()) return std::nullopt;
-      const std::int64_t value = *node.value<std::int64_t>();
-      return within(static_cast<double>(value)) ? std::optional<Value>(value) : std::nullopt;
+      const std::optional<std::int64_t> value = whole_number(node);
+      return value && within(static_cast<double>(*value)) ? std::optional<Value>(*value) : std::nullopt;
     }
     case Kind::Real: {
       const auto value = number(node);
@@ -139,13 +158,10 @@ std::string place_of(const toml::node& node) {
 }
 
 std::string text_of(const toml::node& node) {
-  constexpr std::size_t longest = 60;
-  std::ostringstream out;
-  node.visit([&](const auto& concrete) { out << concrete; });
-  std::istringstream words(out.str());
+  std::istringstream words(inline_text(node));
   std::string text;
   for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word;
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+  return core::excerpt(text);
 }
 
 std::filesystem::path folder_of(const toml::node& node) {
@@ -158,6 +174,14 @@ void fail_at(const toml::node& node, const std::string& message) {
   throw core::InputError(place_of(node) + ": " + message);
 }
 
+std::optional<std::int64_t> whole_number(const toml::node& node) {
+  if (node.is_integer()) return *node.value<std::int64_t>();
+  const auto real = node.is_floating_point() ? node.value<double>() : std::nullopt;
+  constexpr double exact = 9007199254740992.0;  // 2^53; from there on doubles skip whole numbers
+  if (!real || !(std::fabs(*real) <= exact) || *real != std::floor(*real)) return std::nullopt;
+  return static_cast<std::int64_t>(*real);
+}
+
 std::string suggestion(std::string_view name, const std::vector<std::string>& candidates) {
   const std::string nearest = nearest_name(name, candidates);
   if (!nearest.empty()) return fmt::format(" (did you mean \"{}\"?)", nearest);
@@ -167,7 +191,8 @@ std::string suggestion(std::string_view name, const std::vector<std::string>& ca
 void check_keys(const toml::table& table, std::string_view table_name, const std::vector<std::string>& allowed) {
   for (const auto& [key, node] : table) {
     if (std::ranges::find(allowed, key.str()) != allowed.end()) continue;
-    fail_at(node, fmt::format("unknown key \"{}\" in {}{}", key.str(), table_name, suggestion(key.str(), allowed)));
+    fail_at(node, fmt::format("unknown key \"{}\" in {}{}", core::excerpt(key.str()), table_name,
+                              suggestion(key.str(), allowed)));
   }
 }
 
@@ -190,7 +215,7 @@ std::string read_text(const toml::node& node, const std::string& label, const st
     fail_at(node, fmt::format("{} = {} is not allowed: {} takes a text", label, text_of(node), label));
   auto text = *node.value<std::string>();
   if (!choices.empty() && std::ranges::find(choices, text) == choices.end()) {
-    fail_at(node, fmt::format("{}: unknown \"{}\"{}", label, text, suggestion(text, choices)));
+    fail_at(node, fmt::format("{}: unknown \"{}\"{}", label, core::excerpt(text), suggestion(text, choices)));
   }
   return text;
 }

@@ -4,7 +4,9 @@
 
 #include <toml++/toml.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +27,9 @@ bool is_override(const toml::node& node);
 
 /// A value as messages quote it: on one line, shortened where it is long.
 std::string text_of(const toml::node& node);
+
+/// A whole number, also where it is written as a real one (1e6), as far as doubles hold each of them: up to 2^53.
+std::optional<std::int64_t> whole_number(const toml::node& node);
 
 /// Folder that paths in a node start from: that of its study file; for an override the working directory, as for all
 /// that is typed there.

@@ -91,6 +91,26 @@ TEST_CASE("overrides replace, add and reach into tables and methods") {
   CHECK(study.sweep[0].values == std::vector<Value>{std::int64_t{4}});
 }
 
+TEST_CASE("a whole number may be written as a real one, and is that number exactly") {
+  CHECK(read(with("trials = 10", "trials = 1e6")).trials == 1'000'000);
+  CHECK(read(valid, {"trials=2.5e3"}).trials == 2500);
+  CHECK(read(with("trials = 10", "seed = 9007199254740992.0")).seed == 9007199254740992);
+  CHECK(read(with("[3, 5]", "[3.0, 0.5e1]")).sweep[0].values == read(valid).sweep[0].values);
+  CHECK(resolved_toml(read(valid, {"trials=1e6"})) == resolved_toml(read(valid, {"trials=1000000"})));
+}
+
+TEST_CASE("messages echo numbers in their shortest form, and no more of a text than is needed to find it") {
+  CHECK(error_of(with("[2, 8]", "[2, -0.1]")).find("scene.depth_m = [ 2, -0.1 ] is not allowed") != std::string::npos);
+  CHECK(error_of(valid, {"noise.range_sigma_m=-0.1"}).find("= -0.1 is not allowed") != std::string::npos);
+  const std::string digits(400, '7');
+  for (const std::string key : {"trials", "noise.range_sigma_m", "scene.depth_m", "method.0.k", "nothing"}) {
+    INFO(key);
+    const std::string message = error_of(valid, {key + "=" + digits});
+    CHECK(message.find("777...") != std::string::npos);
+    CHECK(message.find(digits.substr(0, 100)) == std::string::npos);
+  }
+}
+
 TEST_CASE("each bad study gets one line with file, line, bound and nearest name") {
   const auto [text, message] = GENERATE(table<std::string, std::string>({
       {"[", "demo.toml:1: not valid TOML"},
@@ -100,6 +120,10 @@ TEST_CASE("each bad study gets one line with file, line, bound and nearest name"
       {with("trials = 10", "trials = 0"),
        "demo.toml:2: trials = 0 is not allowed: trials takes a whole number from 1 to 1000000000000"},
       {with("trials = 10", "trials = 1.5"), "demo.toml:2: trials = 1.5 is not allowed"},
+      {with("trials = 10", "trials = 1.5e0"),
+       "demo.toml:2: trials = 1.5 is not allowed: trials takes a whole number from 1 to 1000000000000"},
+      {with("trials = 10", "seed = 1e16"), "demo.toml:2: seed = 1e+16 is not allowed"},
+      {with("trials = 10", "trials = inf"), "demo.toml:2: trials = inf is not allowed"},
       {with("trials = 10", "trials = \"many\""), "demo.toml:2: trials = 'many' is not allowed"},
       {with("depth_m", "dept_m"), "demo.toml:4: unknown key \"dept_m\" in [scene] (did you mean \"depth_m\"?)"},
       {with("[2, 8]", "[8, 2]"),
