@@ -16,13 +16,18 @@
 #include "app/interrupt.hpp"
 #include "app/output.hpp"
 #include "app/progress.hpp"
+#include "app/stop_text.hpp"
 #include "app/verbs.hpp"
+#include "core/elapsed.hpp"
 #include "core/error.hpp"
+#include "results/schema/text.hpp"
 #include "results/store/parts_folder.hpp"
+#include "results/store/result_file.hpp"
 #include "results/util/file_system.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/registry.hpp"
 #include "studies/run/runner.hpp"
+#include "studies/study/unmet_cells.hpp"
 
 namespace ridgeloc::app {
 
@@ -61,10 +66,6 @@ std::vector<Job> make_jobs(const RunOptions& options) {
   return jobs;
 }
 
-std::string count_text(std::uint64_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 /// Methods of [[method]] that were asked for: neither the scene's label nor differences.
 std::uint64_t asked_methods(const Job& job) {
   return static_cast<std::uint64_t>(
@@ -81,7 +82,7 @@ void print_surplus(const Job& job) {
   const std::uint64_t methods = job.study.methods.size() - asked_methods(job);
   if (cells + methods > 0) {
     fmt::print(stderr, "{}: has {} and {} besides those asked for; they stay\n", job.output.string(),
-               count_text(cells, "cell"), count_text(methods, "method"));
+               results::count_text(cells, "cell"), results::count_text(methods, "method"));
   }
 }
 
@@ -91,6 +92,13 @@ std::string kept_in(const fs::path& output) {
   for (const fs::path& path : {output, results::parts_folder(output)})
     if (path_exists(path)) places.push_back(path.string());
   return places.empty() ? "" : fmt::format(" in {}", fmt::join(places, " and "));
+}
+
+/// Cells that have not reached the target of the stop rule.
+void print_unmet(const Job& job) {
+  const results::Summary summary = results::read_result(job.output);
+  if (!studies::unmet_cells(*job.study.stop, summary).empty())
+    fmt::print(stderr, "{}: {}\n", job.study.name, reached_text(*job.study.stop, summary));
 }
 
 /// Runs one study; returns false when it was stopped before the end.
@@ -122,18 +130,18 @@ bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
       fmt::print(stderr, "{}: {} of {} blocks were there from an earlier run\n", job.study.name, outcome.blocks_found,
                  blocks);
     }
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const studies::Shard& shard = job.assignment.shard;
     const std::string trials = job.study.stop
                                    ? fmt::format("{} to {}", job.study.stop->min_trials, job.study.stop->max_trials)
                                    : std::to_string(job.assignment.trials);
     const std::string methods =
-        job.study.methods.empty() ? "" : fmt::format(", {}", count_text(asked_methods(job), "method"));
+        job.study.methods.empty() ? "" : fmt::format(", {}", results::count_text(asked_methods(job), "method"));
     fmt::print(stderr, "{}: {}, {} trials each{} on {} with {}{}: {}\n", job.study.name,
-               count_text(job.assignment.cells.size(), "cell"), trials, methods,
-               count_text(static_cast<std::uint64_t>(threads), "thread"), job.plan.header.isa,
+               results::count_text(job.assignment.cells.size(), "cell"), trials, methods,
+               results::count_text(static_cast<std::uint64_t>(threads), "thread"), job.plan.header.isa,
                shard.count == 1 ? "" : fmt::format(", share {} of {}", shard.number, shard.count),
-               duration_text(seconds));
+               duration_text(core::seconds_since(begin)));
+    if (job.study.stop) print_unmet(job);
   }
   fmt::print("{}\n", job.output.string());
   finish_standard_output();

@@ -1,10 +1,14 @@
 #include <fmt/format.h>
 
+#include <string>
+
 #include "app/exit_code.hpp"
 #include "app/name_choice.hpp"
 #include "app/result_probe.hpp"
+#include "app/stop_text.hpp"
 #include "app/verbs.hpp"
 #include "results/store/result_file.hpp"
+#include "results/tables/fitted_table.hpp"
 #include "results/tables/overview.hpp"
 #include "results/tables/table.hpp"
 #include "studies/plan/cell_choice.hpp"
@@ -42,6 +46,8 @@ int summary(const SummaryOptions& options) {
     } else {
       fmt::print("{}{}", is_first ? "" : "\n", results::summary_overview(summary, choice));
     }
+    if (const std::string reached = reached_text(summary, path); !reached.empty())
+      fmt::print("\n{}", results::wrapped_text(fmt::format("stop: {}", reached), results::summary_width));
     is_first = false;
   }
   return Success;

@@ -63,7 +63,7 @@ bool spans_decades(const Axis& axis) {
 
 FigurePoint point_of(const SummaryRow& row, const Quantity& quantity, double x) {
   if (quantity.statistic == Statistic::Median) return {x, row.p50, row.p50_lo, row.p50_hi, row.n >= fewest_for_median};
-  if (quantity.statistic == Statistic::RootMeanSquare) return {x, row.rms, row.rms_lo, row.rms_hi, row.trusted};
+  if (quantity.statistic == Statistic::RootMeanSquare) return {x, row.rms, row.rms_lo, row.rms_hi, row.rms_trusted};
   return {x, row.mean, row.lo, row.hi, row.trusted};
 }
 

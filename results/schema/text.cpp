@@ -46,6 +46,10 @@ std::string exact_text(double value) {
   return fmt::format("{}", value);
 }
 
+std::string count_text(std::uint64_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 std::string cell_text(const Header& header, std::size_t cell) {
   std::string text;
   for (std::size_t axis = 0; axis < header.axes.size(); ++axis) {
@@ -86,6 +90,7 @@ std::string text_with_digits(double value, double error) {
 
 std::string text_with_interval(double value, double lo, double hi) {
   if (std::isnan(value)) return "-";
+  if (std::isnan(lo) || std::isnan(hi)) return fmt::format("{:.4g} [?]", value);
   const double half = (hi - lo) / 2.0;
   if (half > 0.0 && std::isfinite(half) && std::isfinite(value)) {
     const int decimals = decimals_for(half);

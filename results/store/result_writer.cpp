@@ -137,12 +137,13 @@ std::uint64_t ResultWriter::blocks_there(std::size_t cell, std::uint64_t trials,
   return fewest;
 }
 
-ResultWriter::Extent ResultWriter::extent(std::size_t cell, const std::vector<std::size_t>& methods) const {
+ResultWriter::Extent ResultWriter::extent(std::size_t cell, std::uint64_t trials,
+                                          const std::vector<std::size_t>& methods) const {
   Extent extent{std::numeric_limits<std::uint64_t>::max(), 0};
   const std::lock_guard lock(state_mutex_);
   for (const std::size_t method : methods) {
     const Coverage& blocks = present_.at(cell * header_.methods.size() + method).blocks;
-    extent.unbroken = std::min(extent.unbroken, blocks.unbroken());
+    extent.unbroken = std::min(extent.unbroken, blocks.unbroken(trials, header_.block_trials));
     extent.end = std::max(extent.end, blocks.end());
   }
   return extent;

@@ -51,13 +51,13 @@ class ResultWriter {
   /// How many of the blocks that `trials` trials of a cell make are there; of the method that has the fewest.
   std::uint64_t blocks_there(std::size_t cell, std::uint64_t trials, const std::vector<std::size_t>& methods) const;
 
-  /// How far a cell is for some methods: the whole blocks that all have from the first on without a gap, and one past
-  /// the last block that any has.
+  /// How far a cell is for some methods: how many of the blocks that `trials` trials make all have from the first on
+  /// without a gap (more if there are more whole ones), and one past the last block that any has.
   struct Extent {
     std::uint64_t unbroken = 0;
     std::uint64_t end = 0;
   };
-  Extent extent(std::size_t cell, const std::vector<std::size_t>& methods) const;
+  Extent extent(std::size_t cell, std::uint64_t trials, const std::vector<std::size_t>& methods) const;
 
   /// Of all trials that a method has in a cell. Precondition: totals are kept.
   Statistics statistics(std::size_t cell, std::size_t method) const;

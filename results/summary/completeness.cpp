@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "results/schema/text.hpp"
+
 namespace ridgeloc::results {
 
 Completeness completeness_of(const Summary& summary) {
@@ -28,7 +30,7 @@ Completeness completeness_of(const Summary& summary) {
 
 std::string completeness_text(const Summary& summary) {
   const Completeness completeness = completeness_of(summary);
-  const std::string cells = fmt::format("{} cell{}", completeness.cells, completeness.cells == 1 ? "" : "s");
+  const std::string cells = count_text(completeness.cells, "cell");
   if (completeness.incomplete == 0) {
     std::uint64_t most = summary.header.trials;
     for (const Statistics& statistics : summary.statistics) most = std::max(most, statistics.trials);

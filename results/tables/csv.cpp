@@ -90,6 +90,7 @@ void write_summary_csv(const Summary& of_methods, std::ostream& out) {
   csv.text("trusted");
   csv.text("beyond");
   for (const SummaryColumn& column : summary_bar_columns) csv.text(column.name);
+  csv.text("rms_trusted");
   csv.end_line();
   for (const SummaryRow& row : summary_rows(summary)) {
     write_factors(summary.header, row.cell, csv);
@@ -101,6 +102,7 @@ void write_summary_csv(const Summary& of_methods, std::ostream& out) {
     csv.number(std::uint64_t{row.trusted});
     csv.number(row.beyond);
     for (const SummaryColumn& column : summary_bar_columns) csv.number(row.*column.value);
+    csv.number(std::uint64_t{row.rms_trusted});
     csv.end_line();
   }
   csv.flush();

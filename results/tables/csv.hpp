@@ -18,8 +18,8 @@ namespace ridgeloc::results {
 
 /// Long form, one row per cell, method and metric: the axes, then method, metric, unit, n, mean, mcse, sd,
 /// min, p05, p25, p50, p75, p95, max, lo, hi, trusted (1 or 0), beyond, p50_lo, p50_hi, sd_mcse, rms, rms_mcse, rms_lo,
-/// rms_hi, p95_lo, p95_hi. The columns mean what they do in `SummaryRow`. Rows of ratios ("a / b") come last in each
-/// cell.
+/// rms_hi, p95_lo, p95_hi, rms_trusted (1 or 0). The columns mean what they do in `SummaryRow`. Rows of ratios ("a /
+/// b") come last in each cell.
 void write_summary_csv(const Summary& summary, std::ostream& out);
 
 /// A row per comparison: the axes of the cell, against (the other cell as text), method, metric, unit, n, n_against,

@@ -44,7 +44,7 @@ std::string row_json(const Header& header, const SummaryRow& row) {
   };
   add(summary_columns);
   add(summary_bar_columns);
-  return text + "}";
+  return text + fmt::format(", \"rms_trusted\": {}}}", row.rms_trusted);
 }
 
 std::string list(const std::vector<std::string>& items) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/elapsed.hpp"
 #include "results/blocks/block.hpp"
 #include "results/store/result_writer.hpp"
 #include "studies/run/stop_rounds.hpp"
@@ -25,10 +26,6 @@ constexpr std::uint64_t pieces_per_worker = 8;
 
 /// Blocks go to the store after this time at the latest: what a killed program loses of slow ones.
 constexpr double hand_over_s = 0.1;
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 /// What to compute of a block: the solvers, and what the sink is to make of their columns.
 struct BlockWork {
@@ -70,9 +67,9 @@ class Stored : public FinishedBlocks {
  public:
   explicit Stored(const results::ResultWriter& writer) : writer_(writer) {}
 
-  Extent extent(std::size_t cell, const std::vector<std::size_t>& methods) const override {
-    const auto extent = writer_.extent(cell, methods);
-    return {extent.unbroken, extent.end};
+  Extent extent(std::size_t cell, std::uint64_t trials, const std::vector<std::size_t>& methods) const override {
+    const auto [unbroken, end] = writer_.extent(cell, trials, methods);
+    return {unbroken, end};
   }
   results::Statistics statistics(std::size_t cell, std::size_t method) const override {
     return writer_.statistics(cell, method);
@@ -156,7 +153,7 @@ void Run::compute_piece(const Stretch& piece, std::size_t worker) {
   for (std::uint64_t block = piece.first; block < piece.end && !stop_.load(std::memory_order_relaxed); ++block) {
     if (!assignment_.contains(piece.place, block)) continue;
     if (!compute_block(cell.index, block, worker, done)) break;
-    if (!done.empty() && seconds_since(handed_over) > hand_over_s) {
+    if (!done.empty() && core::seconds_since(handed_over) > hand_over_s) {
       writer_.add(std::exchange(done, {}));
       handed_over = std::chrono::steady_clock::now();
     }
@@ -192,7 +189,8 @@ std::vector<Stretch> Run::everything() const {
 std::vector<Stretch> Run::present() const {
   std::vector<Stretch> all;
   for (std::size_t place = 0; place < assignment_.cells.size(); ++place)
-    all.push_back({place, 0, writer_.extent(assignment_.cells[place], assignment_.methods).unbroken});
+    all.push_back(
+        {place, 0, writer_.extent(assignment_.cells[place], assignment_.trials, assignment_.methods).unbroken});
   return all;
 }
 
@@ -221,7 +219,7 @@ RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& ass
   using Totals = results::ResultWriter::Totals;
   results::ResultWriter writer(output, plan.header, study.stop ? Totals::Kept : Totals::Dropped);
   Assignment own = assignment;
-  if (study.stop) own.trials = looks(*study.stop, own.block_trials).back() * own.block_trials;
+  if (study.stop) own.trials = study.stop->max_trials;
   Run run(study, plan, own, writer, queue, progress, stop);
   const auto begin = std::chrono::steady_clock::now();
   std::uint64_t blocks = 0;
@@ -254,8 +252,9 @@ RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& ass
   outcome.unchanged = writer.is_current();
   if (outcome.unchanged) return outcome;
   provenance.threads = static_cast<unsigned>(queue.workers());
-  provenance.wall_time_s.emplace_back("compute", seconds_since(begin));
+  provenance.wall_time_s.emplace_back("compute", core::seconds_since(begin));
   results::complete(provenance);
+  progress.is_writing = true;
   writer.seal(provenance);
   return outcome;
 }

@@ -21,6 +21,7 @@ struct RunProgress {
   std::atomic<std::uint64_t> trials_total{0};  ///< of these blocks; last blocks may be smaller
   std::atomic<std::uint64_t> trials_done{0};   ///< trials of this run, those of blocks that are under way included
   std::atomic<std::uint64_t> trials_found{0};  ///< trials of blocks found finished
+  std::atomic<bool> is_writing{false};         ///< all trials are there, and the result is being written
 };
 
 struct RunOutcome {

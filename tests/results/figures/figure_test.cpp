@@ -1,5 +1,6 @@
 #include "results/figures/figure.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -72,7 +73,7 @@ TEST_CASE("a heavy-tailed metric leads with its median; the statistic can be cho
   const SummaryRow row = summary_rows(synthetic_summary())[1];
   CHECK(data.y_label == "position error, all trials, median [m]");
   CHECK(data.panels[0].lines[0].points[0].y == row.p50);
-  CHECK(data.panels[0].lines[0].points[0].hi == row.p50_hi);
+  CHECK(std::isnan(data.panels[0].lines[0].points[0].hi));  // five values are too few for an interval
   spec.statistic = "mean";
   CHECK(figure_data(synthetic_summary(), spec).panels[0].lines[0].points[0].y == row.mean);
 }

@@ -237,9 +237,9 @@ TEST_CASE("what is no readable result is refused with a line that says so") {
   SECTION("newer") {
     hdf5::File file = hdf5::File::create(path);
     file.write_attribute("/", "filetype", std::string("ridgeloc-result"));
-    file.write_attribute("/", "version", std::vector<std::uint64_t>{2, 0});
+    file.write_attribute("/", "version", std::vector<std::uint64_t>{3, 0});
     file.close();
-    reason = "format version 2.0";
+    reason = "format version 3.0";
   }
   SECTION("truncated") {
     tests::write_sample(path, tests::sample_header());
