@@ -81,7 +81,9 @@ class Coverage {
       std::vector<results::Statistics> whole(plan.header.methods.size());
       for (std::uint64_t r = 0; r < repeats; ++r) {
         results::BlockSink sink(plan.header, cell, 0, trials);
-        prepared.run({r * trials, static_cast<std::size_t>(trials)}, sink);
+        NoMonitor monitor;
+        const TrialRange range{r * trials, static_cast<std::size_t>(trials)};
+        is_complete_ = prepared.simulation->run_block(range, *prepared.workspace, monitor, sink) && is_complete_;
         for (const results::Row& row : sink.take_rows()) {
           whole[row.method] = results::merge(whole[row.method], row.statistics);
           for (const std::string& metric : metrics)
@@ -99,6 +101,7 @@ class Coverage {
   }
 
   void check() const {
+    CHECK(is_complete_);
     for (const auto& [name, kind] : kinds_) {
       const double coverage = 1.0 - static_cast<double>(kind.missed) / static_cast<double>(kind.trusted);
       UNSCOPED_INFO(name << ": " << kind.bars << " bars, trusted in "
@@ -148,6 +151,7 @@ class Coverage {
     kind.where = where;
   }
 
+  bool is_complete_ = true;
   std::map<std::string, Kind> kinds_;
 };
 
