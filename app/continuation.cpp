@@ -68,7 +68,7 @@ std::string difference_to(const studies::Study& study, const results::Header& fo
 }
 
 studies::Study study_of(const results::Header& header, const std::string& path) {
-  return studies::read_study({path, path, header.study_toml});
+  return studies::read_study({path, path, header.study_toml, false});
 }
 
 Job continued(studies::Study study, const std::filesystem::path& output, const std::string& isa,

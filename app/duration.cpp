@@ -45,6 +45,12 @@ double seconds_with_colons(const std::string& text) {
 
 }  // namespace
 
+std::string rate_text(double trials_per_second) {
+  if (trials_per_second >= 1e6) return fmt::format("{:.2f} M trials/s", trials_per_second / 1e6);
+  if (trials_per_second >= 1e3) return fmt::format("{:.1f} k trials/s", trials_per_second / 1e3);
+  return fmt::format("{:.3g} trials/s", trials_per_second);
+}
+
 double seconds_of(const std::string& text) {
   constexpr double longest = 1e9;
   // Regular expressions of the standard library recurse for each character of what they match.

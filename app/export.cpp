@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <ostream>
-#include <utility>
 
 #include "app/exit_code.hpp"
+#include "app/look.hpp"
 #include "app/output.hpp"
 #include "app/result_probe.hpp"
 #include "app/verbs.hpp"
@@ -38,10 +38,16 @@ std::vector<std::string> chosen_quantities(const results::Header& header, const 
   return options.metrics;
 }
 
+/// That of a sealed result. Throws core::InputError unless every value, those of single trials too, is as it was
+/// written.
+std::string checked_digest(const std::string& result) {
+  return read_probed(result, [&] { return results::data_digest(result); });
+}
+
 void export_latex(const ExportOptions& options) {
-  const auto [summary, digest] = read_probed(options.result, [&] {
-    return std::pair(results::read_result(options.result), results::data_digest(options.result));
-  });
+  const results::Snapshot snapshot = look(options.result);
+  const results::Summary summary = results::summarize(snapshot);
+  const std::string digest = snapshot.is_sealed ? checked_digest(options.result) : "";
   const auto quantities = chosen_quantities(summary.header, options);
   std::string command = "ridgeloc export " + results::shell_word(options.result) + " --latex";
   for (const std::string& name : options.metrics) command += " --metric " + name;
@@ -50,13 +56,11 @@ void export_latex(const ExportOptions& options) {
 }
 
 void export_cell_comparisons(const ExportOptions& options) {
-  const results::Summary summary = read_probed(options.result, [&] {
-    results::data_digest(options.result);  // throws unless every value is as it was written
-    return results::read_result(options.result);
-  });
+  const results::Summary summary = results::summarize(look(options.result));
+  if (summary.is_sealed) checked_digest(options.result);
   const results::AxisValue base = results::axis_value(summary.header, options.against);
   const auto comparisons = results::compare_cells(summary, base, [&](std::size_t cell, std::size_t method) {
-    return results::read_trials(options.result, cell, method);
+    return summary.is_sealed ? results::read_trials(options.result, cell, method) : results::TrialTable();
   });
   write_output(options.output,
                [&](std::ostream& out) { results::write_cell_comparisons_csv(summary.header, comparisons, out); });
@@ -69,16 +73,14 @@ int export_result(const ExportOptions& options) {
     throw core::InputError("--trials, --failures and --study are three things; ask for one at a time");
   }
   if (options.study) {
-    const results::Header header =
-        read_probed(options.result, [&] { return results::read_result_header(options.result); });
+    const results::Header header = look(options.result).header;
     write_output(options.output, [&](std::ostream& out) { out << header.study_toml; });
     return Success;
   }
   if (options.failures) {
-    const auto [header, failures] = read_probed(options.result, [&] {
-      return std::pair(results::read_result_header(options.result), results::read_result_failures(options.result));
-    });
-    write_output(options.output, [&](std::ostream& out) { results::write_failures_csv(header, failures, out); });
+    const results::Snapshot snapshot = look(options.result);
+    write_output(options.output,
+                 [&](std::ostream& out) { results::write_failures_csv(snapshot.header, snapshot.failures, out); });
     return Success;
   }
   if (options.latex) {
@@ -90,16 +92,20 @@ int export_result(const ExportOptions& options) {
     return Success;
   }
   if (!options.trials) {
-    const results::Summary summary = read_probed(options.result, [&] { return results::read_result(options.result); });
+    const results::Summary summary = results::summarize(look(options.result));
     write_output(options.output, [&](std::ostream& out) {
       options.json ? results::write_summary_json(summary, out) : results::write_summary_csv(summary, out);
     });
     return Success;
   }
-  const results::Header header = read_probed(options.result, [&] {
-    results::data_digest(options.result);  // throws unless every value is as it was written
-    return results::read_result_header(options.result);
-  });
+  const results::Snapshot snapshot = look(options.result);
+  const results::Header& header = snapshot.header;
+  if (!snapshot.is_sealed) {
+    throw core::InputError(fmt::format(
+        "{}: its run has not come to its end, and single trials are there to read when it has; export without --trials",
+        options.result));
+  }
+  checked_digest(options.result);
   write_output(options.output, [&](std::ostream& out) {
     results::write_trials_csv_heading(header, out);
     for (std::size_t cell = 0; cell < header.cells.size(); ++cell) {

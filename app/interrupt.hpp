@@ -5,7 +5,7 @@
 
 namespace ridgeloc::app {
 
-/// Lets SIGINT, SIGTERM and SIGUSR1 ask for a stop instead of killing the program; another one, seconds later, kills
+/// Lets SIGINT, SIGTERM, SIGUSR1 and SIGHUP (unless nohup ignores it) ask for a stop instead of killing the program; another one, seconds later, kills
 /// it. The flag becomes true when a signal has come.
 const std::atomic<bool>& stop_on_signals();
 

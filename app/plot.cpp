@@ -6,13 +6,13 @@
 #include <system_error>
 
 #include "app/exit_code.hpp"
+#include "app/look.hpp"
 #include "app/output.hpp"
-#include "app/result_probe.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
 #include "results/figures/figure.hpp"
 #include "results/figures/figure_request.hpp"
-#include "results/store/result_file.hpp"
+#include "results/store/snapshot.hpp"
 
 namespace ridgeloc::app {
 
@@ -44,7 +44,7 @@ std::vector<results::FigureSpec> chosen_figures(const results::Header& header, c
 }  // namespace
 
 int plot(const PlotOptions& options) {
-  const results::Summary summary = read_probed(options.result, [&] { return results::read_result(options.result); });
+  const results::Summary summary = results::summarize(look(options.result));
   auto figures = chosen_figures(summary.header, options);
   const fs::path output(options.output);
   std::error_code unknown;

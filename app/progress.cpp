@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "app/duration.hpp"
+#include "app/output.hpp"
 
 namespace ridgeloc::app {
 
@@ -31,12 +32,6 @@ std::size_t terminal_columns() {
   winsize size{};
   const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
   return known ? size.ws_col : 80;
-}
-
-std::string rate_text(double trials_per_second) {
-  if (trials_per_second >= 1e6) return fmt::format("{:.2f} M trials/s", trials_per_second / 1e6);
-  if (trials_per_second >= 1e3) return fmt::format("{:.1f} k trials/s", trials_per_second / 1e3);
-  return fmt::format("{:.3g} trials/s", trials_per_second);
 }
 
 }  // namespace
@@ -66,16 +61,12 @@ void ProgressDisplay::show(const std::stop_token& stop, const std::string& name,
       std::string line = fmt::format("{} {:3.0f}% [{}{}] {}, {} left", name, share * 100.0, std::string(filled, '#'),
                                      std::string(bar_width - filled, '.'), rate, left);
       line.resize(std::min(line.size(), terminal_columns() - 1));
-      fmt::print(stderr, "\r{}\x1b[K", line);
-      std::fflush(stderr);
+      say("\r{}\x1b[K", line);
     } else {
-      fmt::print(stderr, "{}: {:.1f} %, {}, {} left\n", name, share * 100.0, rate, left);
+      say("{}: {:.1f} %, {}, {} left\n", name, share * 100.0, rate, left);
     }
   }
-  if (terminal_) {
-    fmt::print(stderr, "\r\x1b[K");
-    std::fflush(stderr);
-  }
+  if (terminal_) say("\r\x1b[K");
 }
 
 }  // namespace ridgeloc::app

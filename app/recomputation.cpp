@@ -32,7 +32,7 @@ Recomputation recomputation_of(const std::string& result) {
   if (experiment != nullptr && experiment->version() != header.experiment_version) {
     throw core::InputError(other_version);
   }
-  studies::Study study = studies::read_study({result, result, header.study_toml});
+  studies::Study study = studies::read_study({result, result, header.study_toml, false});
   studies::Plan plan = studies::make_plan(study, *isa);
   if (plan.header.study_hash != header.study_hash) {
     throw core::InputError(other_version);

@@ -68,6 +68,12 @@ struct VerifyOptions {
 };
 int verify(const VerifyOptions& options);
 
+struct StatusOptions {
+  std::vector<std::string> results;  ///< or the folders of their parts
+  bool json = false;                 ///< instead of text
+};
+int status(const StatusOptions& options);
+
 struct SummaryOptions {
   std::vector<std::string> results;
   bool all = false;                  ///< every number of every cell and method

@@ -67,6 +67,11 @@ FigurePoint point_of(const SummaryRow& row, const Quantity& quantity, double x) 
   return {x, row.mean, row.lo, row.hi, row.trusted};
 }
 
+/// A picture of a run that goes on is not to be taken for its result.
+std::string marked_incomplete(const std::string& title) {
+  return fmt::format("{}{}incomplete: the run has not come to its end", title, title.empty() ? "" : "; ");
+}
+
 class Builder {
  public:
   Builder(const Summary& summary, const FigureSpec& spec)
@@ -86,7 +91,7 @@ class Builder {
 
   FigureData build() {
     FigureData data;
-    data.title = spec_.title;
+    data.title = summary_.is_sealed ? spec_.title : marked_incomplete(spec_.title);
     data.conditions = conditions();
     data.log_y = spec_.log_y;
     if (names_.x) {

@@ -25,8 +25,9 @@ class ScriptFile {
       throw core::IoError(fmt::format("cannot create '{}' for gnuplot; set TMPDIR to a writable folder", path_));
     }
     std::FILE* file = fdopen(descriptor, "w");
-    const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-    if ((std::fclose(file) != 0) || !written) {
+    if (file == nullptr) close(descriptor);
+    const bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
+    if (file == nullptr || std::fclose(file) != 0 || !written) {
       std::filesystem::remove(path_);
       throw core::IoError(fmt::format("cannot write '{}' for gnuplot; is the disk full?", path_));
     }

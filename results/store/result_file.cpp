@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -116,6 +117,8 @@ TrialTable read_table(const hdf5::File& file, std::size_t cell, std::size_t meth
   if (!file.contains(group)) return table;
   std::optional<std::size_t> trials;
   table.status = read_column<std::uint8_t>(file, group + "/status", trials);
+  if (std::ranges::any_of(table.status, [&](std::uint8_t status) { return status >= header.schema.statuses; }))
+    throw core::IoError(fmt::format("{} has a status that the result does not name", group));
   for (std::size_t m = 0; m < table.metrics.size(); ++m)
     table.metrics[m] = read_column<double>(file, fmt::format("{}/{}", group, header.schema.metrics[m].name), trials);
   table.trial = trial_numbers(file, group, header, trials.value_or(0));
@@ -218,11 +221,15 @@ Summary summarize(const Header& header, const Ledger& ledger) {
   return summary;
 }
 
-Summary read_result(const fs::path& path) {
+Snapshot read_sealed(const fs::path& path) {
   return with_checked_totals(path, [](const hdf5::File& file) {
     const Header header = read_header(file);
-    return summarize(header, read_ledger(file, header));
+    return Snapshot{header, read_ledger(file, header), read_failures(file, header)};
   });
+}
+
+Summary read_result(const fs::path& path) {
+  return summarize(read_sealed(path));
 }
 
 Header read_result_header(const fs::path& path) {

@@ -9,6 +9,7 @@
 #include "results/blocks/failure_list.hpp"
 #include "results/blocks/ledger.hpp"
 #include "results/blocks/trial_table.hpp"
+#include "results/store/snapshot.hpp"
 #include "results/summary/summary.hpp"
 
 namespace ridgeloc::results {
@@ -19,6 +20,9 @@ namespace ridgeloc::results {
 
 /// What the result is, and the totals of each cell and method.
 Summary read_result(const std::filesystem::path& path);
+
+/// All but the values of single trials.
+Snapshot read_sealed(const std::filesystem::path& path);
 
 /// What the result is, without its numbers.
 Header read_result_header(const std::filesystem::path& path);

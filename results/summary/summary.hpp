@@ -42,6 +42,7 @@ struct SummaryRow {
 struct Summary {
   Header header;
   std::vector<Statistics> statistics;
+  bool is_sealed = true;  ///< false: a run has not come to its end, and this is what it has so far
 
   const Statistics& of(std::size_t cell, std::size_t method) const {
     return statistics[cell * header.methods.size() + method];

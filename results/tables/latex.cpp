@@ -78,10 +78,11 @@ std::string caption(const Header& header, const Quantity& quantity, const std::s
   const std::string title = header.title.empty() ? header.experiment : header.title;
   const std::string what = quantity.description.empty() ? quantity.name : quantity.description;
   const std::string unit = quantity.unit == "1" || quantity.unit.empty() ? "" : fmt::format(" in {}", quantity.unit);
-  return latex_text(fmt::format(
-      "{}: {}{}, {}. In parentheses the standard error of the last digits. {} trials per "
-      "cell, seed {}, data {}.",
-      title, what, unit, statistic_text(quantity.statistic), header.trials, header.seed, digest.substr(0, 12)));
+  return latex_text(
+      fmt::format("{}: {}{}, {}. In parentheses the standard error of the last digits. {} trials per "
+                  "cell, seed {}, {}.",
+                  title, what, unit, statistic_text(quantity.statistic), header.trials, header.seed,
+                  digest.empty() ? "incomplete" : fmt::format("data {}", digest.substr(0, 12))));
 }
 
 /// Rows of one metric or event, by cell and, in these, by method.

@@ -14,7 +14,7 @@ std::vector<std::string> leading_quantities(const Header& header);
 
 /// Where a table comes from.
 struct LatexSource {
-  std::string digest;   ///< of the data; its first 12 digits enter the captions
+  std::string digest;   ///< of the data; its first 12 digits enter the captions. Empty: the result is not sealed yet
   std::string command;  ///< that makes the tables, for a comment
 };
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <fstream>
+#include <random>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -31,17 +32,41 @@ fs::path folder_of(const fs::path& file) {
   return parent.empty() ? fs::path(".") : parent;
 }
 
-/// Flushes a file or a folder to the disk.
+/// Whether fsync says that it cannot do such a thing at all here, rather than that it failed: many network and
+/// encrypting file systems cannot synchronize a folder, and say so in several ways. The rename itself has succeeded
+/// then.
+bool is_unsupported(int error) {
+  return error == EINVAL || error == ENOTSUP || error == EOPNOTSUPP || error == EBADF || error == ENOSYS;
+}
+
+/// Flushes a file or a folder to the disk, where the file system can.
 void synchronize(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) throw core::IoError(fmt::format("cannot open {}: {}", path.string(), reason(errno)));
   const int returned = ::fsync(descriptor);
   const int error = errno;
   ::close(descriptor);
-  // Some network file systems cannot synchronize a folder and say so by EINVAL; the rename itself has
-  // succeeded.
-  if (returned != 0 && error != EINVAL)
+  if (returned != 0 && !is_unsupported(error))
     throw core::IoError(fmt::format("cannot flush {} to the disk: {}", path.string(), reason(error)));
+}
+
+/// Two processes, also on two machines or in two containers, as good as never draw the same.
+std::string random_part() {
+  std::random_device device;
+  return fmt::format("{:08x}{:08x}", device(), device());
+}
+
+/// Creates a file beside another one that nobody else has, not even through a link. Empty, with errno set, where that
+/// cannot be.
+fs::path create_alone(const fs::path& beside) {
+  constexpr mode_t as_the_user_allows = 0666;
+  for (;;) {
+    fs::path path = fmt::format("{}.{}{}", beside.string(), random_part(), temporary_suffix);
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, as_the_user_allows);
+    if (descriptor >= 0) ::close(descriptor);
+    if (descriptor >= 0) return path;
+    if (errno != EEXIST) return {};
+  }
 }
 
 }  // namespace
@@ -60,12 +85,10 @@ void require_writable(const fs::path& file) {
 
   // Only an attempt tells the truth about permissions, read-only mounts and quotas.
   // Its name is that of a temporary: what a killed program leaves of it is removed like one.
-  std::string probe = fmt::format("{}.XXXXXX{}", file.string(), temporary_suffix);
-  const int descriptor = ::mkstemps(probe.data(), static_cast<int>(std::string_view(temporary_suffix).size()));
-  if (descriptor < 0)
+  const fs::path probe = create_alone(file);
+  if (probe.empty())
     throw core::InputError(fmt::format("cannot write {}: {}; make the folder {} writable or choose another -o",
                                        file.string(), reason(errno), folder.string()));
-  ::close(descriptor);
   ::unlink(probe.c_str());
 }
 
@@ -85,9 +108,9 @@ void make_folder(const fs::path& folder) {
   synchronize(folder_of(folder));
 }
 
-TemporaryFile::TemporaryFile(fs::path final_path)
-    : final_(std::move(final_path)),
-      temporary_(fmt::format("{}.{}{}", final_.string(), ::getpid(), temporary_suffix)) {}
+TemporaryFile::TemporaryFile(fs::path final_path) : final_(std::move(final_path)), temporary_(create_alone(final_)) {
+  if (temporary_.empty()) throw core::IoError(fmt::format("cannot write {}: {}", final_.string(), reason(errno)));
+}
 
 TemporaryFile::~TemporaryFile() {
   if (published_) return;
@@ -95,15 +118,15 @@ TemporaryFile::~TemporaryFile() {
   fs::remove(temporary_, ignored);
 }
 
-void TemporaryFile::publish() {
-  synchronize(temporary_);
+void TemporaryFile::publish(Durability durability) {
+  if (durability == Durability::Kept) synchronize(temporary_);
   std::error_code error;
   fs::rename(temporary_, final_, error);
   if (error)
     throw core::IoError(
         fmt::format("cannot rename {} to {}: {}", temporary_.string(), final_.string(), error.message()));
   published_ = true;
-  synchronize(folder_of(final_));
+  if (durability == Durability::Kept) synchronize(folder_of(final_));
 }
 
 bool TemporaryFile::is_temporary(const fs::path& file) {
@@ -114,8 +137,11 @@ void TemporaryFile::remove_leftovers(const fs::path& final_path) {
   std::error_code ignored;
   const std::string beginning = final_path.filename().string() + ".";
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(final_path), ignored)) {
-    const bool of_this_file = entry.path().filename().string().starts_with(beginning);
-    if (of_this_file && is_temporary(entry.path())) fs::remove(entry.path(), ignored);
+    if (!is_temporary(entry.path())) continue;
+    // What stands between the name and the ending has no dot: "r.h5.csv.<random part>" is another file's.
+    const std::string name = entry.path().stem().string();
+    const bool of_this_file = name.starts_with(beginning) && name.find('.', beginning.size()) == std::string::npos;
+    if (of_this_file) fs::remove(entry.path(), ignored);
   }
 }
 

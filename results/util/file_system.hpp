@@ -27,7 +27,8 @@ void refuse_to_replace_result(const std::filesystem::path& file);
 /// `publish()`. Until then the destructor removes it.
 class TemporaryFile {
  public:
-  /// The temporary stands beside `final_path`, so that the rename stays within one file system.
+  /// Creates the temporary beside `final_path`, so that the rename stays within one file system; no other process has
+  /// it. Throws core::IoError.
   explicit TemporaryFile(std::filesystem::path final_path);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
@@ -35,9 +36,11 @@ class TemporaryFile {
 
   const std::filesystem::path& path() const { return temporary_; }
 
-  /// Makes the content durable, gives it its name (replacing an older file) and makes the name durable.
+  /// Makes the content durable, gives it its name (replacing an older file) and makes the name durable; a file system
+  /// that cannot do so at all is let pass. With `Durability::Waived` a power cut may take what was written.
   /// Throws core::IoError.
-  void publish();
+  enum class Durability { Kept, Waived };
+  void publish(Durability durability = Durability::Kept);
 
   /// Whether a file in a folder is such a temporary, left by a killed program.
   static bool is_temporary(const std::filesystem::path& file);

@@ -107,6 +107,18 @@ void check_conditions(const toml::table& document, const std::string& origin, co
   }
 }
 
+/// Refuses { file = ... } wherever it stands: whoever wrote a result does not choose what is read on this machine.
+void refuse_files(const toml::node& node) {
+  if (const toml::array* list = node.as_array())
+    for (const toml::node& element : *list) refuse_files(element);
+  const toml::table* table = node.as_table();
+  if (table == nullptr) return;
+  if (const toml::node* file = table->get("file"))
+    fail_at(*file,
+            "the study inside a result names a file, which is not read; a result holds all that its study needs");
+  for (const auto& [key, value] : *table) refuse_files(value);
+}
+
 }  // namespace
 
 bool is_read(const Study& study, const Setting& setting) {
@@ -147,6 +159,7 @@ StudySource find_study(std::string_view path_or_name) {
 Study read_study(const StudySource& source, std::span<const std::string> overrides,
                  std::span<const Experiment* const> experiments) {
   const toml::table document = parse_document(source.text, source.origin, overrides);
+  if (!source.may_name_files) refuse_files(document);
 
   Study study;
   study.name = source.name;

@@ -9,6 +9,8 @@
 
 #include "results/blocks/block.hpp"
 #include "results/store/result_writer.hpp"
+#include "results/store/run_record.hpp"
+#include "studies/run/block_rounds.hpp"
 #include "studies/run/stop_rounds.hpp"
 #include "studies/run/workbench.hpp"
 #include "studies/study/capabilities.hpp"
@@ -96,7 +98,7 @@ class Run {
         stop_(stop),
         bench_(study, plan, queue.workers()) {}
 
-  /// Computes what is missing of some stretches, in their order as far as workers have one.
+  /// Computes what is missing of some stretches.
   void compute(const std::vector<Stretch>& stretches);
 
   /// All blocks of the assignment.
@@ -169,17 +171,9 @@ void Run::compute(const std::vector<Stretch>& stretches) {
   for (const Stretch& stretch : stretches) blocks += stretch.end - stretch.first;
   const std::uint64_t size =
       std::clamp<std::uint64_t>(blocks / (queue_.workers() * pieces_per_worker), 1, most_blocks_per_piece);
-  std::vector<std::uint64_t> pieces_before = {0};
-  for (const Stretch& stretch : stretches) {
-    pieces_before.push_back(pieces_before.back() + (stretch.end - stretch.first + size - 1) / size);
-  }
-  queue_.run(pieces_before.back(), stop_, [&](std::uint64_t piece, std::size_t worker) {
-    const auto after = std::ranges::upper_bound(pieces_before, piece);
-    const auto i = static_cast<std::size_t>(after - pieces_before.begin()) - 1;
-    const Stretch& stretch = stretches[i];
-    const std::uint64_t first = stretch.first + (piece - pieces_before[i]) * size;
-    compute_piece({stretch.place, first, std::min(first + size, stretch.end)}, worker);
-  });
+  const BlockRounds rounds(stretches, size);
+  queue_.run(rounds.pieces(), stop_,
+             [&](std::uint64_t piece, std::size_t worker) { compute_piece(rounds.piece(piece), worker); });
 }
 
 std::vector<Stretch> Run::everything() const {
@@ -203,6 +197,20 @@ std::uint64_t Run::blocks_kept() const {
   return sum;
 }
 
+/// What a run says of itself to others.
+results::RunRecord record_of(const RunProgress& progress, std::size_t workers, double seconds) {
+  results::RunRecord record;
+  record.state = progress.is_writing ? results::RunRecord::State::Writing : results::RunRecord::State::Computing;
+  record.seconds = seconds;
+  record.workers = workers;
+  record.blocks_total = progress.blocks_total;
+  record.blocks_done = progress.blocks_done;
+  record.trials_total = progress.trials_total;
+  record.trials_done = progress.trials_done;
+  record.trials_found = progress.trials_found;
+  return record;
+}
+
 /// Trials of the blocks of some stretches.
 std::uint64_t trials_of(const Assignment& assignment, const std::vector<Stretch>& stretches) {
   std::uint64_t trials = 0;
@@ -215,15 +223,17 @@ std::uint64_t trials_of(const Assignment& assignment, const std::vector<Stretch>
 
 }  // namespace
 
-RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment,
-                     const std::filesystem::path& output, WorkQueue& queue, results::Provenance provenance,
-                     RunProgress& progress, const std::atomic<bool>& stop) {
+RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment, results::ResultClaim output,
+                     WorkQueue& queue, results::Provenance provenance, RunProgress& progress,
+                     const std::atomic<bool>& stop) {
   using Totals = results::ResultWriter::Totals;
-  results::ResultWriter writer(output, plan.header, study.stop ? Totals::Kept : Totals::Dropped);
+  results::ResultWriter writer(std::move(output), plan.header, study.stop ? Totals::Kept : Totals::Dropped);
   Assignment own = assignment;
   if (study.stop) own.trials = looks(*study.stop, own.block_trials).back() * own.block_trials;
   Run run(study, plan, own, writer, queue, progress, stop);
   const auto begin = std::chrono::steady_clock::now();
+  writer.record(
+      [&progress, workers = queue.workers(), begin] { return record_of(progress, workers, seconds_since(begin)); });
   std::uint64_t blocks = 0;
   const auto compute = [&](const std::vector<Stretch>& stretches, std::uint64_t more) {
     blocks += more;
@@ -256,6 +266,7 @@ RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& ass
   provenance.threads = static_cast<unsigned>(queue.workers());
   provenance.wall_time_s.emplace_back("compute", seconds_since(begin));
   results::complete(provenance);
+  progress.is_writing = true;
   writer.seal(provenance);
   return outcome;
 }

@@ -55,7 +55,7 @@ struct File {
 RunOutcome run(const Study& s, const fs::path& output, int threads, const std::atomic<bool>& stop,
                RunProgress& progress) {
   const Plan plan = make_plan(s);
-  return run_study(s, plan, everything(plan), output, *thread_queue(threads), {}, progress, stop);
+  return run_study(s, plan, everything(plan), results::ResultClaim(output), *thread_queue(threads), {}, progress, stop);
 }
 
 /// The digest of a result whose run was stopped after so many blocks, and went on with other threads.
