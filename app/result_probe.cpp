@@ -11,7 +11,6 @@
 #include <csignal>
 #include <cstdint>
 #include <fstream>
-#include <new>
 #include <system_error>
 
 #include "core/error.hpp"
@@ -27,17 +26,13 @@ constexpr std::uintmax_t memory_per_byte = 16;
 constexpr std::uintmax_t least_seconds = 2;
 constexpr std::uintmax_t bytes_per_second = std::uintmax_t{1} << 20;
 
-/// How the child ends.
-enum ChildCode : int { Survived = 0, Failed = 1, DamageTakesMemory = 2, TooLittleMemory = 3 };
-
-/// Lowers a limit, where it is not lower already. Returns whether it was.
-bool limit(auto resource, std::uintmax_t value) {
+/// Lowers a limit, where it is not lower already.
+void limit(auto resource, std::uintmax_t value) {
   rlimit now{};
   getrlimit(resource, &now);
   const rlim_t lower = std::min<rlim_t>({now.rlim_cur, now.rlim_max, value});
   const rlimit wanted{lower, lower};
   setrlimit(resource, &wanted);
-  return lower < value;
 }
 
 /// Address space in use, in bytes; 0 if the system does not tell.
@@ -47,11 +42,13 @@ std::uintmax_t present_memory() {
   return pages * static_cast<std::uintmax_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// Returns whether this process has less memory than a result of that size may need.
-bool limit_this_process(std::uintmax_t bytes, unsigned patience_s) {
-  const std::uintmax_t present = present_memory();
-  const bool is_short =
-      limit(RLIMIT_AS, (present > 0 ? present : least_memory) + std::max(least_memory, memory_per_byte * bytes));
+/// Address space that a process may need that reads so many bytes.
+std::uintmax_t memory_for(std::uintmax_t bytes) {
+  return present_memory() + std::max(least_memory, memory_per_byte * bytes);
+}
+
+void limit_this_process(std::uintmax_t bytes, unsigned patience_s) {
+  if (present_memory() > 0) limit(RLIMIT_AS, memory_for(bytes));
   limit(RLIMIT_CPU, least_seconds + bytes / bytes_per_second);
   limit(RLIMIT_CORE, 0);
   // What takes no processor time can last for ever too: a disk that does not answer, or a pipe that nobody fills.
@@ -60,22 +57,30 @@ bool limit_this_process(std::uintmax_t bytes, unsigned patience_s) {
   // What the C library says of a broken heap is no line for the user.
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDERR_FILENO);
-  return is_short;
 }
 
-ChildCode outcome_of(const std::function<void()>& read, bool is_short_of_memory) {
+bool survives(const std::function<void()>& read) {
   try {
     read();
   } catch (const core::InputError&) {
-    return Survived;
+    return true;
   } catch (const core::IoError&) {
-    return Survived;
-  } catch (const std::bad_alloc&) {
-    return is_short_of_memory ? TooLittleMemory : DamageTakesMemory;
+    return true;
   } catch (...) {
-    return Failed;
+    return false;
   }
-  return Survived;
+  return true;
+}
+
+/// Throws core::IoError if somebody has left this process less memory than a good file may need: then a reader that
+/// failed says nothing of the file, since libraries crash for want of memory too.
+void require_memory(const std::string& result, std::uintmax_t bytes) {
+  rlimit memory{};
+  getrlimit(RLIMIT_AS, &memory);
+  if (memory.rlim_cur >= memory_for(bytes)) return;
+  throw core::IoError(fmt::format(
+      "{}: reading it fails, where no more than {} MiB of memory are allowed; raise that limit (ulimit -v) to {} MiB",
+      result, memory.rlim_cur >> 20, (memory_for(bytes) >> 20) + 1));
 }
 
 }  // namespace
@@ -91,23 +96,18 @@ void probe(const std::string& result, const std::function<void()>& read, double 
         fmt::format("{}: no process can be started to read it: {}", result, std::generic_category().message(errno)));
   }
   if (child == 0) {
-    const bool is_short = limit_this_process(bytes, patience_s);
-    _exit(outcome_of(read, is_short));
+    limit_this_process(bytes, patience_s);
+    _exit(survives(read) ? 0 : 1);
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == Survived) return;
-  if (WIFEXITED(status) && WEXITSTATUS(status) == TooLittleMemory) {
-    throw core::IoError(
-        fmt::format("{}: there is too little memory to read it; raise the limit of this shell or job "
-                    "(ulimit -v), or read it on a larger machine",
-                    result));
-  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) {
     throw core::IoError(fmt::format("{}: reading it has not ended within {} s; is its disk or network out of reach?",
                                     result, patience_s));
   }
+  require_memory(result, bytes);
   throw core::InputError(
       fmt::format("{} is damaged: reading it fails; compute it again or restore it from a copy", result));
 }

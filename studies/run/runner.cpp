@@ -232,13 +232,16 @@ RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& ass
   if (study.stop) own.trials = looks(*study.stop, own.block_trials).back() * own.block_trials;
   Run run(study, plan, own, writer, queue, progress, stop);
   const auto begin = std::chrono::steady_clock::now();
-  writer.record(
-      [&progress, workers = queue.workers(), begin] { return record_of(progress, workers, seconds_since(begin)); });
+  bool is_recorded = false;
   std::uint64_t blocks = 0;
   const auto compute = [&](const std::vector<Stretch>& stretches, std::uint64_t more) {
     blocks += more;
     progress.blocks_total = blocks;
     progress.trials_total += own.shard.count == 1 ? trials_of(own, stretches) : more * own.block_trials;
+    if (!std::exchange(is_recorded, true)) {
+      writer.record(
+          [&progress, workers = queue.workers(), begin] { return record_of(progress, workers, seconds_since(begin)); });
+    }
     run.compute(stretches);
   };
   if (study.stop) {
