@@ -207,7 +207,7 @@ std::string text_of(const Progress& progress) {
   if (!progress.summary) return text;
   const auto failures = results::failure_table(*progress.summary, results::whole(progress.summary->header));
   if (failures.rows.empty()) return text;
-  return text + "\nFailures so far, of the blocks on the disk:\n" + results::fitted_text(failures, width).text;
+  return text + "\nFailures in the blocks on the disk:\n" + results::fitted_text(failures, width).text;
 }
 
 std::string json_of(const Progress& progress) {

@@ -43,6 +43,7 @@ int verify(const VerifyOptions& options) {
     return Success;
   }
   const auto [digest, summary] = read_probed(options.result, [&] {
+    results::read_all_trials(options.result);
     return std::pair(results::data_digest(options.result), results::read_result(options.result));
   });
   fmt::print("data         {}, as written\n", digest);

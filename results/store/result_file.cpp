@@ -15,6 +15,7 @@
 #include "results/store/failure_file.hpp"
 #include "results/store/header_file.hpp"
 #include "results/store/ledger_file.hpp"
+#include "results/store/parts_folder.hpp"
 #include "results/store/provenance.hpp"
 #include "results/store/result_layout.hpp"
 
@@ -26,6 +27,9 @@ namespace fs = std::filesystem;
 hdf5::File open_result(const fs::path& path) {
   const std::string name = path.string();
   std::error_code error;
+  if (!fs::exists(path, error) && fs::exists(parts_folder(path), error))
+    throw core::InputError(
+        fmt::format("{} is not there yet: its run has not come to its end, see `ridgeloc status {}`", name, name));
   if (!fs::exists(path, error)) throw core::InputError(fmt::format("{} does not exist; check the path", name));
   if (fs::is_directory(path, error))
     throw core::InputError(fmt::format("{} is a folder; name a result file (.h5)", name));
@@ -106,8 +110,7 @@ std::vector<T> read_column(const hdf5::File& file, const std::string& path, std:
   return values;
 }
 
-TrialTable read_table(const hdf5::File& file, std::size_t cell, std::size_t method) {
-  const Header header = read_header(file);
+TrialTable read_table(const hdf5::File& file, const Header& header, std::size_t cell, std::size_t method) {
   if (cell >= header.cells.size() || method >= header.methods.size())
     throw core::InputError(fmt::format("{} has {} cells and {} methods; there is no cell {} with method {}",
                                        file.path().string(), header.cells.size(), header.methods.size(), cell, method));
@@ -241,7 +244,15 @@ Ledger read_result_ledger(const fs::path& path) {
 }
 
 TrialTable read_trials(const fs::path& path, std::size_t cell, std::size_t method) {
-  return with_result(path, [&](const hdf5::File& file) { return read_table(file, cell, method); });
+  return with_result(path, [&](const hdf5::File& file) { return read_table(file, read_header(file), cell, method); });
+}
+
+void read_all_trials(const fs::path& path) {
+  with_result(path, [](const hdf5::File& file) {
+    const Header header = read_header(file);
+    for (std::size_t cell = 0; cell < header.cells.size(); ++cell)
+      for (std::size_t method = 0; method < header.methods.size(); ++method) read_table(file, header, cell, method);
+  });
 }
 
 void visit_trials(const fs::path& path, std::size_t metric, const TrialVisitor& visit) {

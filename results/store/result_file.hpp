@@ -40,6 +40,9 @@ FailureList read_result_failures(const std::filesystem::path& path);
 /// written is for `data_digest` to find out, once for all tables.
 TrialTable read_trials(const std::filesystem::path& path, std::size_t cell, std::size_t method);
 
+/// Reads the kept trials of all cells and methods, and drops them.
+void read_all_trials(const std::filesystem::path& path);
+
 /// Calls `visit` with the kept trials of each method in each cell that report a metric, given by its index: their
 /// numbers and values.
 using TrialVisitor = std::function<void(std::size_t cell, std::size_t method, const std::vector<std::uint64_t>& trials,

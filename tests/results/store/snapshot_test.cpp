@@ -149,7 +149,14 @@ TEST_CASE("a run says how far it is while it lives, and that it has stopped when
   {
     ResultWriter writer(path, header);
     CHECK_FALSE(record());
-    writer.record([] { return RunRecord{.seconds = 1.5, .workers = 2, .blocks_total = 7, .trials_done = 70}; });
+    writer.record([] {
+      RunRecord said;
+      said.seconds = 1.5;
+      said.workers = 2;
+      said.blocks_total = 7;
+      said.trials_done = 70;
+      return said;
+    });
     while (!record()) std::this_thread::yield();
     CHECK(record()->record.state == RunRecord::State::Computing);
     CHECK(record()->record.seconds == 1.5);
@@ -173,6 +180,8 @@ TEST_CASE("a record that cannot be read is none, and one that cannot be written 
     std::ofstream(run_record_file(folder.path())) << text;
     CHECK_FALSE(find_run_record(folder.path()));
   }
-  { const RunRecorder recorder(folder / "not_there", [] { return RunRecord(); }); }
+  {
+    const RunRecorder recorder(folder / "not_there", [] { return RunRecord(); });
+  }
   CHECK_FALSE(fs::exists(folder / "not_there"));
 }
