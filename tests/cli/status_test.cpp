@@ -73,7 +73,7 @@ TEST_CASE("beside a run, status and export find no error, and what they count gr
   const WithStudy folder;
   const Outcome started =
       folder.shell("'" RIDGELOC_PROGRAM
-                   "' run s.toml --threads 1 --time-limit 20s > run.out 2> run.err & echo $! > pid; "
+                   "' run s.toml --threads 1 --time-limit 90s > run.out 2> run.err & echo $! > pid; "
                    "until ls s.h5.parts/run.txt > nothing 2>&1; do sleep 0.05; done");
   REQUIRE(started.exit_code == 0);
   std::uint64_t done = 0;
@@ -81,7 +81,8 @@ TEST_CASE("beside a run, status and export find no error, and what they count gr
   std::uint64_t values = 0;
   int grown = 0;
   const auto begin = std::chrono::steady_clock::now();
-  while (std::chrono::steady_clock::now() - begin < std::chrono::seconds(12)) {
+  // A part is written every five seconds.
+  while (grown < 3 && std::chrono::steady_clock::now() - begin < std::chrono::seconds(60)) {
     const Outcome status = folder.ridgeloc("status --json s.h5");
     INFO(status.out << status.error);
     REQUIRE(status.exit_code == 0);
@@ -100,7 +101,7 @@ TEST_CASE("beside a run, status and export find no error, and what they count gr
     if (now > values) ++grown;
     values = now;
   }
-  CHECK(grown > 1);
+  CHECK(grown == 3);
   REQUIRE(folder.shell("kill -TERM $(cat pid); until grep -q stopped run.err; do sleep 0.05; done").exit_code == 0);
   const Outcome stopped = folder.ridgeloc("status s.h5.parts/");
   INFO(stopped.out);

@@ -1,9 +1,6 @@
 #include "results/hdf5/hdf5.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <limits>
@@ -208,17 +205,4 @@ TEST_CASE("HDF5: nothing is read from another file, and a pipe behind a link hol
   }
   const std::string message = tests::refusal_of([&] { hdf5::File::open(path).read<double>("/g/x"); });
   CHECK(tests::lacking(message, {path.string() + ": " + object + " is a link or lies in another file"}) == "");
-}
-
-TEST_CASE("HDF5: a file that is locked is said to be") {
-  const tests::ScratchFolder folder;
-  const fs::path path = changed_file(folder / "a.h5", [](hid_t) {});
-  const int writer = ::open(path.c_str(), O_RDWR);
-  REQUIRE(::flock(writer, LOCK_EX) == 0);
-  ::setenv("HDF5_USE_FILE_LOCKING", "TRUE", 1);
-  const std::string message = tests::refusal_of([&] { hdf5::File::open(path); });
-  ::unsetenv("HDF5_USE_FILE_LOCKING");
-  ::close(writer);
-  CHECK(tests::lacking(message, {path.string(), "locked by another program"}) == "");
-  CHECK_NOTHROW(hdf5::File::open(path));
 }

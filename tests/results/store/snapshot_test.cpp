@@ -115,7 +115,7 @@ TEST_CASE("a damaged part is passed over, a part of another study is refused") {
 TEST_CASE("snapshots beside a writer never fail, and what they count never shrinks") {
   const ScratchFolder folder;
   Header header = sample_header();
-  header.trials = 80 * sample_block_trials;  // 400 blocks in parts of one each: these are united several times
+  header.trials = 30 * sample_block_trials;  // 150 blocks in parts of one each: these are united twice
   const fs::path path = folder / "result.h5";
   std::atomic<bool> over{false};
   std::jthread run([&] {
