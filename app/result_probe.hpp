@@ -10,7 +10,7 @@ namespace ridgeloc::app {
 /// amount of memory: the child finds out. Throws core::InputError if it does not survive, core::IoError if this process
 /// has too little memory or if reading takes `patience` times as long as the processor time that it may take; errors
 /// that `read` throws are left to be found again. Precondition: no other thread is reading or writing results.
-void probe(const std::string& result, const std::function<void()>& read, double patience = 30.0);
+void probe(const std::string& result, const std::function<void()>& read, double patience = 12.0);
 
 /// What `read` returns, after a child process has survived the same.
 template <typename Read>

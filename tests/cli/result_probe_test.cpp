@@ -46,7 +46,7 @@ TEST_CASE("a reader that waits for ever is ended, and a lack of memory is not ca
   const auto waits = [] {
     for (;;) pause();
   };
-  CHECK(tests::message_of<core::IoError>([&] { probe(path, waits, 0.5); }) ==
+  CHECK(tests::message_of<core::IoError>([&] { probe(path, waits, 0.2); }) ==
         path + ": reading it has not ended within 1 s; is its disk or network out of reach?");
   // In a process of its own, since no limit can be raised again.
   const pid_t child = fork();
