@@ -35,7 +35,7 @@ namespace {
 int complain(std::string message, ExitCode code) {
   std::ranges::replace_if(
       message, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  say("ridgeloc: {}\n", message);
+  say(fmt::format("ridgeloc: {}\n", message));
   return code;
 }
 

@@ -93,7 +93,7 @@ int merge(const MergeOptions& options) {
   }
   provenance.contributions.assign(contributions.begin(), contributions.end());
   results::merge_results(paths, options.output, header, provenance);
-  say("{}: {}\n", options.output, results::completeness_text(results::read_result(options.output)));
+  say(fmt::format("{}: {}\n", options.output, results::completeness_text(results::read_result(options.output))));
   fmt::print("{}\n", options.output);
   return Success;
 }

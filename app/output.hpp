@@ -1,13 +1,10 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "core/error.hpp"
 
@@ -19,17 +16,7 @@ namespace ridgeloc::app {
 void prepare_standard_streams();
 
 /// Writes text to standard error, as it is, if that can be: nothing that is only said may end what is computed.
-void say_text(std::string_view text) noexcept;
-
-/// The same for a format and what it is filled with.
-template <typename... Args>
-void say(fmt::format_string<Args...> format, Args&&... args) noexcept {
-  try {
-    say_text(fmt::format(format, std::forward<Args>(args)...));
-  } catch (...) {
-    say_text("(there is no memory for a message)\n");
-  }
-}
+void say(std::string_view text) noexcept;
 
 /// What a link stands for, which may not be there yet; any other path as it is. A file that is written under another
 /// name and renamed would otherwise take the place of the link. Throws core::InputError for links that lead in a

@@ -61,9 +61,9 @@ void ProgressDisplay::show(const std::stop_token& stop, const std::string& name,
       std::string line = fmt::format("{} {:3.0f}% [{}{}] {}, {} left", name, share * 100.0, std::string(filled, '#'),
                                      std::string(bar_width - filled, '.'), rate, left);
       line.resize(std::min(line.size(), terminal_columns() - 1));
-      say("\r{}\x1b[K", line);
+      say(fmt::format("\r{}\x1b[K", line));
     } else {
-      say("{}: {:.1f} %, {}, {} left\n", name, share * 100.0, rate, left);
+      say(fmt::format("{}: {:.1f} %, {}, {} left\n", name, share * 100.0, rate, left));
     }
   }
   if (terminal_) say("\r\x1b[K");

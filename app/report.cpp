@@ -19,7 +19,7 @@ int report(const ReportOptions& options) {
   for (const std::string& path : options.results) {
     sources.push_back(read_probed(path, [&] { return results::read_report_source(path); }));
     const results::Summary& summary = sources.back().summary;
-    if (!summary.is_sealed) say("{}: {}\n", path, results::completeness_text(summary));
+    if (!summary.is_sealed) say(fmt::format("{}: {}\n", path, results::completeness_text(summary)));
   }
   const std::string stem =
       sources.size() == 1 ? std::filesystem::path(options.results.front()).stem().string() : "report";

@@ -93,13 +93,13 @@ std::uint64_t asked_methods(const Job& job) {
 void print_surplus(const Job& job) {
   const results::Header& header = job.plan.header;
   if (header.trials > job.assignment.trials) {
-    say("{}: was asked for {} trials per cell before; all stay\n", job.output.string(), header.trials);
+    say(fmt::format("{}: was asked for {} trials per cell before; all stay\n", job.output.string(), header.trials));
   }
   const std::uint64_t cells = header.cells.size() - job.assignment.cells.size();
   const std::uint64_t methods = job.study.methods.size() - asked_methods(job);
   if (cells + methods > 0) {
-    say("{}: has {} and {} besides those asked for; they stay\n", job.output.string(), count_text(cells, "cell"),
-        count_text(methods, "method"));
+    say(fmt::format("{}: has {} and {} besides those asked for; they stay\n", job.output.string(),
+                    count_text(cells, "cell"), count_text(methods, "method")));
   }
 }
 
@@ -141,18 +141,19 @@ bool run_job(const Request& request, const RunOptions& options, const std::atomi
     const std::string kept = path_exists(parts) ? fmt::format("finished parts are kept in {}; ", parts.string()) : "";
     throw core::IoError(fmt::format("{} ({}the same command goes on from there)", error.what(), kept));
   }
-  for (const std::string& warning : outcome.warnings) say("warning: {}\n", warning);
+  for (const std::string& warning : outcome.warnings) say(fmt::format("warning: {}\n", warning));
   const std::uint64_t blocks = progress.blocks_total;
   if (!outcome.sealed) {
-    say("{}: stopped; {} of {} blocks are kept{}. The same command goes on from there.\n", job.study.name,
-        outcome.blocks_kept, blocks, kept_in(job.output));
+    say(fmt::format("{}: stopped; {} of {} blocks are kept{}. The same command goes on from there.\n", job.study.name,
+                    outcome.blocks_kept, blocks, kept_in(job.output)));
     return false;
   }
   if (outcome.unchanged) {
-    say("{}: complete already, nothing to do\n", job.output.string());
+    say(fmt::format("{}: complete already, nothing to do\n", job.output.string()));
   } else {
     if (outcome.blocks_found > 0) {
-      say("{}: {} of {} blocks were there from an earlier run\n", job.study.name, outcome.blocks_found, blocks);
+      say(fmt::format("{}: {} of {} blocks were there from an earlier run\n", job.study.name, outcome.blocks_found,
+                      blocks));
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const studies::Shard& shard = job.assignment.shard;
@@ -161,10 +162,11 @@ bool run_job(const Request& request, const RunOptions& options, const std::atomi
                                    : std::to_string(job.assignment.trials);
     const std::string methods =
         job.study.methods.empty() ? "" : fmt::format(", {}", count_text(asked_methods(job), "method"));
-    say("{}: {}, {} trials each{} on {} with {}{}: {}\n", job.study.name,
-        count_text(job.assignment.cells.size(), "cell"), trials, methods,
-        count_text(static_cast<std::uint64_t>(threads), "thread"), job.plan.header.isa,
-        shard.count == 1 ? "" : fmt::format(", share {} of {}", shard.number, shard.count), duration_text(seconds));
+    say(fmt::format("{}: {}, {} trials each{} on {} with {}{}: {}\n", job.study.name,
+                    count_text(job.assignment.cells.size(), "cell"), trials, methods,
+                    count_text(static_cast<std::uint64_t>(threads), "thread"), job.plan.header.isa,
+                    shard.count == 1 ? "" : fmt::format(", share {} of {}", shard.number, shard.count),
+                    duration_text(seconds)));
   }
   print_name(job.output);
   return true;
