@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <ostream>
 #include <utility>
 
@@ -38,6 +39,14 @@ std::vector<std::string> chosen_quantities(const results::Header& header, const 
   return options.metrics;
 }
 
+/// Writes CSV that begins as the options say.
+void write_csv(const ExportOptions& options, const std::function<void(std::ostream&)>& write) {
+  write_output(options.output, [&](std::ostream& out) {
+    if (options.byte_order_mark) out << "\xEF\xBB\xBF";
+    write(out);
+  });
+}
+
 void export_latex(const ExportOptions& options) {
   const auto [summary, digest] = read_probed(options.result, [&] {
     return std::pair(results::read_result(options.result), results::data_digest(options.result));
@@ -58,8 +67,29 @@ void export_cell_comparisons(const ExportOptions& options) {
   const auto comparisons = results::compare_cells(summary, base, [&](std::size_t cell, std::size_t method) {
     return results::read_trials(options.result, cell, method);
   });
-  write_output(options.output,
-               [&](std::ostream& out) { results::write_cell_comparisons_csv(summary.header, comparisons, out); });
+  write_csv(options, [&](std::ostream& out) {
+    results::write_cell_comparisons_csv(summary.header, comparisons, out, options.decimal_mark);
+  });
+}
+
+void export_trials(const ExportOptions& options) {
+  const results::Header header = read_probed(options.result, [&] {
+    results::data_digest(options.result);  // throws unless every value is as it was written
+    return results::read_result_header(options.result);
+  });
+  if (header.trial_column_blocks == 0) {
+    throw core::InputError(options.result +
+                           ": keeps no values of single trials; run the study with [store] trial_columns_mib above 0");
+  }
+  write_csv(options, [&](std::ostream& out) {
+    results::write_trials_csv_heading(header, out, options.decimal_mark);
+    for (std::size_t cell = 0; cell < header.cells.size(); ++cell) {
+      for (std::size_t method = 0; method < header.methods.size(); ++method) {
+        results::write_trials_csv(header, cell, method, results::read_trials(options.result, cell, method), out,
+                                  options.decimal_mark);
+      }
+    }
+  });
 }
 
 }  // namespace
@@ -78,7 +108,8 @@ int export_result(const ExportOptions& options) {
     const auto [header, failures] = read_probed(options.result, [&] {
       return std::pair(results::read_result_header(options.result), results::read_result_failures(options.result));
     });
-    write_output(options.output, [&](std::ostream& out) { results::write_failures_csv(header, failures, out); });
+    write_csv(options,
+              [&](std::ostream& out) { results::write_failures_csv(header, failures, out, options.decimal_mark); });
     return Success;
   }
   if (options.latex) {
@@ -89,25 +120,16 @@ int export_result(const ExportOptions& options) {
     export_cell_comparisons(options);
     return Success;
   }
-  if (!options.trials) {
-    const results::Summary summary = read_probed(options.result, [&] { return results::read_result(options.result); });
-    write_output(options.output, [&](std::ostream& out) {
-      options.json ? results::write_summary_json(summary, out) : results::write_summary_csv(summary, out);
-    });
+  if (options.trials) {
+    export_trials(options);
     return Success;
   }
-  const results::Header header = read_probed(options.result, [&] {
-    results::data_digest(options.result);  // throws unless every value is as it was written
-    return results::read_result_header(options.result);
-  });
-  write_output(options.output, [&](std::ostream& out) {
-    results::write_trials_csv_heading(header, out);
-    for (std::size_t cell = 0; cell < header.cells.size(); ++cell) {
-      for (std::size_t method = 0; method < header.methods.size(); ++method) {
-        results::write_trials_csv(header, cell, method, results::read_trials(options.result, cell, method), out);
-      }
-    }
-  });
+  const results::Summary summary = read_probed(options.result, [&] { return results::read_result(options.result); });
+  if (options.json) {
+    write_output(options.output, [&](std::ostream& out) { results::write_summary_json(summary, out); });
+  } else {
+    write_csv(options, [&](std::ostream& out) { results::write_summary_csv(summary, out, options.decimal_mark); });
+  }
   return Success;
 }
 

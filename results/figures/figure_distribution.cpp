@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "results/schema/text.hpp"
 #include "results/statistics/interval.hpp"
 
 namespace ridgeloc::results {
@@ -48,8 +49,7 @@ std::vector<double> preferred_numbers(double low, double high) {
   const int first = static_cast<int>(std::floor(std::log10(low)));
   for (int power = first; numbers.empty() || numbers.back() < high; ++power) {
     for (const int digit : {1, 2, 5}) {
-      // From text, so that 0.2 is 0.2.
-      const double value = std::stod(fmt::format("{}e{}", digit, power));
+      const double value = decimal_number(digit, power);
       if (value <= low) numbers.clear();
       if (numbers.empty() || numbers.back() < high) numbers.push_back(value);
     }

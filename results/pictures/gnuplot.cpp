@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -81,13 +82,22 @@ void run_gnuplot(const std::string& script) {
 }
 
 std::string gnuplot_string(std::string_view text) {
-  std::string quoted = "'";
+  // Only what means nothing to gnuplot anywhere stands as it is: quotes, backquotes, macros and comments are looked for
+  // in a line before its strings are.
+  std::string quoted = "\"";
   for (const char c : text) {
-    const bool control = static_cast<unsigned char>(c) < 0x20U || c == 0x7f;
-    if (c == '\'') quoted += '\'';
-    quoted += control ? ' ' : c;
+    const auto byte = static_cast<unsigned char>(c);
+    const bool control = byte < 0x20U || byte == 0x7fU;
+    const bool plain = byte >= 0x80U || std::isalnum(byte) != 0 || byte == ' ';
+    if (control) {
+      quoted += ' ';
+    } else if (plain) {
+      quoted += c;
+    } else {
+      quoted += fmt::format("\\{:03o}", byte);
+    }
   }
-  return quoted + "'";
+  return quoted + "\"";
 }
 
 std::string gnuplot_tick_label(std::string_view text) {

@@ -21,7 +21,8 @@ struct Part {
   const char* title;
   std::string (*html)(const ReportSource&, const ReportPlace&);
 };
-constexpr Part parts[] = {{"overview", "Overview", report_overview},
+constexpr Part parts[] = {{"winners", "Which method is best where", report_winners},
+                          {"overview", "Overview", report_overview},
                           {"figures", "Figures", report_figures},
                           {"study", "What was studied", report_study},
                           {"numbers", "Numbers", report_numbers},

@@ -14,6 +14,9 @@ std::string factor_text(const FactorValue& value);
 /// A double in its shortest form that reads back as the same bits; nan, inf, -inf.
 std::string exact_text(double value);
 
+/// digit * 10^power, correctly rounded: 0 or infinity where a double cannot hold it.
+double decimal_number(double digit, int power);
+
 /// "points = 3, range_sigma_m = 0.1"; empty for a study without a sweep.
 std::string cell_text(const Header& header, std::size_t cell);
 

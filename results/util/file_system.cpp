@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <fstream>
@@ -117,6 +118,12 @@ void TemporaryFile::remove_leftovers(const fs::path& final_path) {
     const bool of_this_file = entry.path().filename().string().starts_with(beginning);
     if (of_this_file && is_temporary(entry.path())) fs::remove(entry.path(), ignored);
   }
+}
+
+bool is_plain_file_name(std::string_view name) {
+  constexpr std::size_t longest = 200;  // of the 255 bytes that file systems allow
+  return !name.empty() && name.size() <= longest && name.front() != '.' &&
+         std::ranges::none_of(name, [](unsigned char c) { return c < 0x20 || c == 0x7f || c == '/' || c == '\\'; });
 }
 
 bool begins_as_hdf5(const fs::path& file) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace ridgeloc::results {
 
@@ -15,6 +16,10 @@ void require_new(const std::filesystem::path& file);
 /// Makes a folder, unless it is there, and its name durable: what files in it are worth depends on that.
 /// Throws core::InputError.
 void make_folder(const std::filesystem::path& folder);
+
+/// Whether a text that nobody has checked is safe as the name of a file in a folder: neither empty nor hidden, without
+/// a separator or control characters, with room for an ending.
+bool is_plain_file_name(std::string_view name);
 
 /// Whether a file begins as HDF5 files do; false for a missing one.
 bool begins_as_hdf5(const std::filesystem::path& file);

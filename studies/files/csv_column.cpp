@@ -18,13 +18,18 @@ namespace ridgeloc::studies {
 
 namespace {
 
-/// The rows of a CSV text, one after the other.
+/// The rows of a CSV text, one after the other. Where the first line has semicolons and no comma, semicolons separate
+/// the cells, as spreadsheets write them where the comma is the decimal point.
 class Rows {
  public:
   explicit Rows(std::string text) : text_(std::move(text)) {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     if (text_.starts_with(byte_order_mark)) at_ = byte_order_mark.size();
+    const std::string_view first = std::string_view(text_).substr(0, text_.find('\n'));
+    if (first.find(',') == std::string_view::npos && first.find(';') != std::string_view::npos) separator_ = ';';
   }
+
+  bool has_decimal_commas() const { return separator_ == ';'; }
 
   /// The cells of the next row that is not an empty line; none at the end.
   std::vector<std::string> next() {
@@ -33,7 +38,7 @@ class Rows {
     std::vector<std::string> cells;
     if (at_ == text_.size()) return cells;
     do cells.push_back(cell());
-    while (take(','));
+    while (take(separator_));
     end_line();
     return cells;
   }
@@ -65,12 +70,14 @@ class Rows {
         out += c;
       }
     }
-    while (at_ < text_.size() && text_[at_] != ',' && text_[at_] != '\n' && text_[at_] != '\r') out += text_[at_++];
+    while (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n' && text_[at_] != '\r')
+      out += text_[at_++];
     while (!out.empty() && (out.back() == ' ' || out.back() == '\t')) out.pop_back();
     return out;
   }
 
   std::string text_;
+  char separator_ = ',';
   std::size_t at_ = 0;
   std::size_t line_ = 1;
   std::size_t first_line_ = 1;
@@ -109,7 +116,9 @@ std::vector<double> read_csv_column(const std::filesystem::path& path, const std
                                          path.string(), rows.line(), cells.size(), names.size()));
     }
     const std::string cell = position < cells.size() ? cells[position] : std::string();
-    const auto value = number(cell);
+    std::string point = cell;
+    if (rows.has_decimal_commas()) std::ranges::replace(point, ',', '.');
+    const auto value = number(point);
     if (!value) {
       throw core::InputError(
           fmt::format("{}:{}: \"{}\" in column \"{}\" is not a number", path.string(), rows.line(), cell, column));

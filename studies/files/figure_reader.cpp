@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "results/figures/figure_names.hpp"
 #include "results/schema/text.hpp"
 #include "studies/files/sections.hpp"
 #include "studies/files/toml_document.hpp"
@@ -105,7 +106,7 @@ results::FigureSpec read_figure(const toml::table& table, const Study& study, st
   if (figure.kind != "curve") check_distribution(table, figure, *study.experiment);
   if (const toml::node* node = table.get("title")) figure.title = read_text(*node, "figure.title");
   if (const toml::node* node = table.get("statistic")) {
-    figure.statistic = read_text(*node, "figure.statistic", {"mean", "median", "rms"});
+    figure.statistic = read_text(*node, "figure.statistic", results::figure_statistics());
   }
   if (const toml::node* node = table.get("group")) figure.group = read_texts(*node, "figure.group", groups);
   if (const toml::node* node = table.get("facet")) figure.facet = read_text(*node, "figure.facet", groups);

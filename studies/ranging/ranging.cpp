@@ -81,7 +81,7 @@ solver = "rrr"
 
 [[figure]]
 x = "points"
-y = "error_m"
+y = ["error_m", "converged"]
 statistic = "median"
 group = "range_sigma_m"
 facet = "method"

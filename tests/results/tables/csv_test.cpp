@@ -67,6 +67,30 @@ TEST_CASE("fields with separators, quotes and line breaks are quoted") {
   CHECK(text.find("3,0.1,\"say \"\"x\"\"\r\n\",error_m,") != std::string::npos);
 }
 
+TEST_CASE("texts that a spreadsheet would compute begin with an apostrophe, numbers stay numbers") {
+  Summary summary = synthetic_summary();
+  summary.header.methods[0].label = "=1+2";
+  summary.header.methods[1].label = "@x,y";
+  summary.header.axes[0].values[0] = std::int64_t{-3};
+  summary.header.axes[1].values = {-0.5, std::string("+a")};
+  const std::string text = summary_csv(summary);
+  CHECK(text.find("\n-3,-0.5,'=1+2,error_m,") != std::string::npos);
+  CHECK(text.find("\n-3,'+a,\"'@x,y\",error_m,") != std::string::npos);
+  for (const std::string& line : lines_of(text)) CHECK(std::string("=+@").find(line.front()) == std::string::npos);
+}
+
+TEST_CASE("with decimal commas the cells are separated by semicolons") {
+  Summary summary = synthetic_summary();
+  summary.header.methods[0].label = "a,b";
+  summary.header.methods[1].label = "c;d";
+  std::ostringstream out;
+  write_summary_csv(summary, out, DecimalMark::Comma);
+  const std::vector<std::string> lines = lines_of(out.str());
+  CHECK(lines[0].starts_with("points;range_sigma_m;method;"));
+  CHECK(lines[1].starts_with("3;0,1;a,b;error_m;m;4;2,5;0,6454972243679028;"));
+  CHECK(lines[6].starts_with("3;0,1;\"c;d\";error_m;m;4;1,25;"));
+}
+
 TEST_CASE("trials in wide form") {
   const Header header = synthetic_summary().header;
   const std::vector<std::uint8_t> status = {0, 1};

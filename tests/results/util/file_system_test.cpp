@@ -24,6 +24,14 @@ std::string read_text(const fs::path& path) {
 
 }  // namespace
 
+TEST_CASE("a name from elsewhere stays in its folder") {
+  for (const char* good : {"fig3a", "my study", "größe", "a+b", "x..y", "-x"}) CHECK(is_plain_file_name(good));
+  for (const std::string bad : {"", ".", "..", ".hidden", "../x", "/etc/passwd", "a/b", "a\\b", "a\nb", "a\x7f"})
+    CHECK_FALSE(is_plain_file_name(bad));
+  CHECK_FALSE(is_plain_file_name(std::string("a\0b", 3)));
+  CHECK_FALSE(is_plain_file_name(std::string(201, 'x')));
+}
+
 TEST_CASE("an output path is checked without leaving anything behind") {
   const tests::ScratchFolder folder;
   CHECK_NOTHROW(require_writable(folder / "new.h5"));

@@ -56,6 +56,14 @@ TEST_CASE("a column of a CSV file is read by its name") {
   CHECK(column("e_m\n", "e_m").empty());
 }
 
+TEST_CASE("a CSV file with semicolons has decimal commas or points") {
+  const std::vector<double> expected = {0.1, -0.25, 3.0};
+  CHECK(column("e_m;x_m\n0,1;2\n-0,25;3\n3;4\n", "e_m") == expected);
+  CHECK(column("\xef\xbb\xbf\"id\";e_m\r\n1;0,1\r\n2;-2,5e-1\r\n3;3.0\r\n", "e_m") == expected);
+  CHECK(error_of("e_m;x_m\n1.234,5;2\n", "e_m") == ":2: \"1.234,5\" in column \"e_m\" is not a number");
+  CHECK(column("e_m,x;y\n1,0;2\n", "e_m") == std::vector<double>{1.0});
+}
+
 TEST_CASE("what is wrong in a CSV file is named with its line") {
   CHECK(error_of("id,e_m\n1,2\n", "em") == ":1: no column \"em\" (did you mean \"e_m\"?)");
   CHECK(error_of("id,e_m\n1,2\n", "residual") == ":1: no column \"residual\" (there are: id, e_m)");
