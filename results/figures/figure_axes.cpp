@@ -20,9 +20,11 @@ AxisRange linear_range(AxisRange range) {
   return {range.low == 0.0 ? 0.0 : range.low - padding, range.high + padding};
 }
 
-/// Within what a double can hold with all its digits.
-AxisRange logarithmic_range(const AxisRange& range) {
-  const double factor = std::max(std::pow(range.high / range.low, 0.06), 1.1);
+/// A range and a share of its length beyond both ends, in the logarithm, within what a double holds with all its
+/// digits.
+AxisRange beyond(const AxisRange& range, double share, double least_factor) {
+  const double octaves = std::log2(range.high) - std::log2(range.low);
+  const double factor = std::max(std::exp2(share * octaves), least_factor);
   return {std::max(range.low / factor, std::numeric_limits<double>::min()),
           std::min(range.high * factor, std::numeric_limits<double>::max())};
 }
@@ -37,7 +39,9 @@ void check_limits(const AxisRange& range, bool logarithmic, const char* axis) {
 }  // namespace
 
 bool is_drawable(const FigurePoint& point, bool log_y) {
-  return std::isfinite(point.y) && (!log_y || (point.never_seen ? point.hi : point.y) > 0.0);
+  // gnuplot has no logarithmic axis for numbers below the normal ones, 2e-308.
+  const auto has_logarithm = [](double value) { return value >= std::numeric_limits<double>::min(); };
+  return std::isfinite(point.y) && (!log_y || has_logarithm(point.never_seen ? point.hi : point.y));
 }
 
 AxisRange horizontal_range(const FigureData& data) {
@@ -47,13 +51,10 @@ AxisRange horizontal_range(const FigureData& data) {
   }
   const double first = data.x_ticks.front().position;
   const double last = data.x_ticks.back().position;
-  constexpr double beyond = 0.04;
-  if (!data.log_x) {
-    const double padding = beyond * (last > first ? last - first : 1.0);
-    return {first - padding, last + padding};
-  }
-  const double factor = last > first ? std::pow(last / first, beyond) : std::pow(10.0, beyond);
-  return {std::max(first / factor, std::numeric_limits<double>::min()), last * factor};
+  constexpr double share = 0.04;
+  if (data.log_x) return beyond({first, last}, share, last > first ? 1.0 : std::pow(10.0, share));
+  const double padding = share * (last > first ? last - first : 1.0);
+  return {first - padding, last + padding};
 }
 
 AxisRange vertical_range(const FigureData& data, std::size_t scale) {
@@ -85,16 +86,18 @@ AxisRange vertical_range(const FigureData& data, std::size_t scale) {
     }
   }
   if (range.low > range.high) return log ? AxisRange{0.1, 1.0} : AxisRange{};
-  return log ? logarithmic_range(range) : linear_range(range);
+  return log ? beyond(range, 0.06, 1.1) : linear_range(range);
 }
 
 double share_of_axis(const AxisRange& range, bool logarithmic, double value) {
-  if (logarithmic) return std::log(value / range.low) / std::log(range.high / range.low);
+  // Differences of logarithms hold where ratios overflow.
+  if (logarithmic) return (std::log2(value) - std::log2(range.low)) / (std::log2(range.high) - std::log2(range.low));
   return (value - range.low) / (range.high - range.low);
 }
 
 double value_on_axis(const AxisRange& range, bool logarithmic, double share) {
-  if (logarithmic) return range.low * std::pow(range.high / range.low, share);
+  const double octaves = std::log2(range.high) - std::log2(range.low);
+  if (logarithmic) return range.low * std::exp2(share * octaves);
   return range.low + share * (range.high - range.low);
 }
 
@@ -104,7 +107,7 @@ std::vector<DecimalTick> decimal_ticks(const AxisRange& range) {
   for (int power = static_cast<int>(std::floor(std::log10(range.low))); power <= last; ++power) {
     for (int digit = 1; digit < 10; ++digit) {
       const double value = decimal_number(digit, power);
-      if (value > 0.0 && std::isfinite(value)) ticks.push_back({value, digit});
+      if (value > 0.0 && std::isfinite(value)) ticks.push_back({value, digit, power});
     }
   }
   return ticks;

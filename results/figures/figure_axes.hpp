@@ -30,6 +30,7 @@ double value_on_axis(const AxisRange& range, bool logarithmic, double share);
 struct DecimalTick {
   double value = 0.0;
   int digit = 1;
+  int power = 0;
 };
 
 /// 1 to 9 times the powers of ten that a logarithmic axis reaches, in order; none that a double cannot hold.

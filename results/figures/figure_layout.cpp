@@ -137,8 +137,8 @@ double grid_height(const Grid& grid) {
 
 /// The labels of the vertical axes, without their places: one for all panels that share a scale, else one for each.
 std::vector<std::vector<std::string>> side_lines(const FigureData& data, const Grid& grid) {
-  // A label may reach beyond the panels by as much as the x axis below them takes.
-  const double room = (data.scales.size() > 1 ? grid.panel_height : grid_height(grid)) + 10.0;
+  // The one label of all panels may reach beyond them by as much as the x axis below takes.
+  const double room = data.scales.size() > 1 ? grid.panel_height : grid_height(grid) + 10.0;
   std::vector<std::vector<std::string>> lines;
   for (const FigureScale& scale : data.scales) lines.push_back(wrapped(scale.label, characters(room, small_character)));
   return lines;

@@ -143,13 +143,18 @@ std::string draw_page(const FigureData& data, const Layout& layout) {
   return script + plot_command(elements) + "unset label\n";
 }
 
-/// Ticks of a logarithmic axis: labelled at 1, 2 and 5 times the powers of ten where the axis is short, else
-/// at the powers alone.
+/// Ticks of a logarithmic axis: labelled at 1, 2 and 5 times the powers of ten where the axis is short, else at the
+/// powers alone, and on a very long one at so few of these that their labels have room.
 std::string log_y_ticks(const AxisRange& range) {
-  const bool is_short = range.high < 300.0 * range.low;
+  constexpr double most_labels = 12.0;
+  const double powers = std::log10(range.high) - std::log10(range.low);
+  const bool is_short = powers < std::log10(300.0);
+  const int every = std::max(1, static_cast<int>(std::ceil(powers / most_labels)));
   std::string list;
   for (const DecimalTick& tick : decimal_ticks(range)) {
-    const bool major = tick.digit == 1 || (is_short && (tick.digit == 2 || tick.digit == 5));
+    if (every > 1 && tick.digit > 1) continue;
+    const bool is_labelled_power = tick.digit == 1 && tick.power % every == 0;
+    const bool major = is_labelled_power || (is_short && (tick.digit == 2 || tick.digit == 5));
     append(list, ", ",
            fmt::format("'{}' {} {}", major ? fmt::format("{:g}", tick.value) : "", tick.value, major ? 0 : 1));
   }
@@ -223,14 +228,15 @@ std::string data_block(const std::string& name, const FigureData& data, const Pa
 }
 
 /// The error bars of a line; a dotted one is not trusted.
-std::string bars(const std::string& name, const Style& style) {
+std::string bars(const Page& page, const std::string& name, const Style& style) {
+  constexpr double cap = 0.68;  // mm, to either side
   // A bar is a vector from its lower to its upper end, with heads of 90 degrees for caps: gnuplot's own error
   // bars leave a gap around the mark.
   return fmt::format(
-      "{0} using 6:($5 == 1 ? $3 : NaN):(0):($4 - $3) with vectors heads size screen 0.008,90 lw 0.9 lc rgb "
+      "{0} using 6:($5 == 1 ? $3 : NaN):(0):($4 - $3) with vectors heads size screen {3:.5f},90 lw 0.9 lc rgb "
       "'{1}'{2}"
       "{0} using 6:($5 == 0 ? $3 : NaN):(0):($4 - $3) with vectors nohead lw 1.2 lc rgb '{1}' dt (2,3)",
-      name, style.colour, next_element);
+      name, style.colour, next_element, cap / page.width);
 }
 
 /// Where the line may lie, a shade of its colour.
@@ -271,7 +277,7 @@ std::string draw_panel(const FigureData& data, const Layout& layout, std::size_t
     const std::string name = fmt::format("$panel{}_group{}_metric{}", index, line.group, line.metric);
     const Style style = line_style(data, line.group, line.metric);
     script += data_block(name, data, place, log_y, line, places[i]);
-    if (data.style == FigureStyle::Marks) append(elements, next_element, bars(name, style));
+    if (data.style == FigureStyle::Marks) append(elements, next_element, bars(layout.page, name, style));
     if (data.style == FigureStyle::Bands) append(bands, next_element, band(name, style, band_opacity));
     append(elements, next_element, drawn_line(data, name + " using 1:2 with lines", name, style));
     const auto is_bound = [&](const FigurePoint& point) { return log_y && point.never_seen; };

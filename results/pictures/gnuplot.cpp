@@ -85,17 +85,19 @@ std::string gnuplot_string(std::string_view text) {
   // Only what means nothing to gnuplot anywhere stands as it is: quotes, backquotes, macros and comments are looked for
   // in a line before its strings are.
   std::string quoted = "\"";
+  bool after_escape = false;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     const bool control = byte < 0x20U || byte == 0x7fU;
-    const bool plain = byte >= 0x80U || std::isalnum(byte) != 0 || byte == ' ';
-    if (control) {
-      quoted += ' ';
-    } else if (plain) {
-      quoted += c;
+    // A digit after an escape would be read as a part of it.
+    const bool is_letter = std::isalpha(byte) != 0 || (std::isdigit(byte) != 0 && !after_escape);
+    const bool plain = byte >= 0x80U || is_letter || byte == ' ' || control;
+    if (plain) {
+      quoted += control ? ' ' : c;
     } else {
       quoted += fmt::format("\\{:03o}", byte);
     }
+    after_escape = !plain;
   }
   return quoted + "\"";
 }

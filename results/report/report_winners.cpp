@@ -36,19 +36,21 @@ HtmlCell ranked_cell(const SummaryRow& row, const Measure& measure, const std::o
   return {is_rival ? text + " ≈" : text, key};
 }
 
-/// In how many cells each method is best.
+/// In how many cells each method is best, and in how many not shown to be worse.
 std::string tally(const Header& header, const std::vector<std::size_t>& methods,
                   const std::vector<std::optional<Ranking>>& rankings) {
   std::string items;
   for (const std::size_t method : methods) {
-    const auto wins = std::ranges::count_if(rankings, [&](const auto& r) { return r && r->best == method; });
-    const auto clear =
-        std::ranges::count_if(rankings, [&](const auto& r) { return r && r->best == method && r->is_significant(); });
-    if (wins > 0)
-      items += fmt::format("<li>{}: best in {} of {} cells, significantly in {}</li>\n",
-                           html_text(header.methods[method].label), wins, rankings.size(), clear);
+    const auto cells = [&](auto holds) {
+      return std::ranges::count_if(rankings, [&](const auto& ranking) { return ranking && holds(*ranking); });
+    };
+    const auto wins = cells([&](const Ranking& r) { return r.best == method; });
+    const auto clear = cells([&](const Ranking& r) { return r.best == method && r.is_significant(); });
+    const auto ties = cells([&](const Ranking& r) { return std::ranges::find(r.rivals, method) != r.rivals.end(); });
+    items += fmt::format("<li>{}: best in {} of {} cells, significantly in {}; not shown to be worse in {} more</li>\n",
+                         html_text(header.methods[method].label), wins, rankings.size(), clear, ties);
   }
-  return items.empty() ? "" : "<ul>\n" + items + "</ul>\n";
+  return "<ul>\n" + items + "</ul>\n";
 }
 
 }  // namespace

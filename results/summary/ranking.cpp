@@ -10,10 +10,17 @@
 namespace ridgeloc::results {
 namespace {
 
-const MetricInfo* first_compared(const Schema& schema) {
-  const auto first =
-      std::ranges::find_if(schema.metrics, [](const MetricInfo& m) { return m.is_compared && !m.yes_no; });
-  return first == schema.metrics.end() ? nullptr : &*first;
+/// A result that has been read knows what is compared by the differences that it holds.
+bool is_compared(const Summary& summary, std::size_t metric) {
+  if (summary.header.schema.metrics[metric].is_compared) return true;
+  for (std::size_t m = 0; m < summary.header.methods.size(); ++m) {
+    if (!summary.header.methods[m].difference) continue;
+    for (std::size_t cell = 0; cell < summary.header.cells.size(); ++cell) {
+      const auto& metrics = summary.of(cell, m).metrics;
+      if (metric < metrics.size() && metrics[metric].moments.n + metrics[metric].beyond > 0) return true;
+    }
+  }
+  return false;
 }
 
 bool all_trials_have(const Summary& summary, const Measure& measure) {
@@ -90,21 +97,22 @@ class CellRanking {
 
 }  // namespace
 
-bool is_ranking(const Schema& schema, const Measure& measure) {
-  const MetricInfo* first = first_compared(schema);
-  const auto metric = std::ranges::find(schema.metrics, measure.name, &MetricInfo::name);
-  return first != nullptr && metric != schema.metrics.end() && metric->is_compared && !metric->yes_no &&
-         metric->unit == first->unit;
+std::vector<Measure> ranking_measures(const Summary& summary) {
+  const std::vector<MetricInfo>& metrics = summary.header.schema.metrics;
+  const std::vector<Measure> measures = measures_of(summary.header.schema);
+  std::vector<Measure> ranking;
+  for (std::size_t m = 0; m < metrics.size(); ++m) {
+    if (metrics[m].yes_no || !is_compared(summary, m)) continue;
+    if (ranking.empty() || ranking.front().unit == metrics[m].unit) ranking.push_back(measures[m]);
+  }
+  return ranking;
 }
 
 std::optional<Measure> ranking_measure(const Summary& summary) {
-  std::optional<Measure> chosen;
-  for (const Measure& measure : measures_of(summary.header.schema)) {
-    if (!is_ranking(summary.header.schema, measure)) continue;
-    if (all_trials_have(summary, measure)) return measure;
-    if (!chosen) chosen = measure;
-  }
-  return chosen;
+  const std::vector<Measure> measures = ranking_measures(summary);
+  const auto whole = std::ranges::find_if(measures, [&](const Measure& m) { return all_trials_have(summary, m); });
+  if (whole != measures.end()) return *whole;
+  return measures.empty() ? std::nullopt : std::optional(measures.front());
 }
 
 std::optional<Ranking> ranking_of(const Summary& summary, std::size_t cell, const std::vector<std::size_t>& methods,

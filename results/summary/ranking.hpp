@@ -10,13 +10,13 @@
 /// Which method is best, and whether the trials show it.
 namespace ridgeloc::results {
 
-/// The measure by which methods are ranked: of the metrics that are compared and have the unit of the first of them,
-/// the one that all trials have, so that no method gains by failing where it would be bad; else the first. None where
-/// no metric is compared.
-std::optional<Measure> ranking_measure(const Summary& summary);
+/// The measures by which methods can be ranked, less being better: the metrics by which they are compared, of those
+/// that have the unit of the first.
+std::vector<Measure> ranking_measures(const Summary& summary);
 
-/// Whether methods can be ranked by the measure: less of it is better, as of the first metric that is compared.
-bool is_ranking(const Schema& schema, const Measure& measure);
+/// The one of them that all trials have, so that no method gains by failing where it would be bad; else the first. None
+/// where methods are not compared.
+std::optional<Measure> ranking_measure(const Summary& summary);
 
 /// The methods of one cell, from which the best one stands out or not.
 struct Ranking {
@@ -26,7 +26,7 @@ struct Ranking {
   bool is_significant() const { return rivals.empty(); }
 };
 
-/// Ranks methods in a cell by a measure that `is_ranking`. None where fewer than two of them have values.
+/// Ranks methods in a cell by one of the `ranking_measures`. None where fewer than two of them have values.
 ///
 /// The best one is better than another of which the difference of means, trial by trial, is below 0 with a two-sided
 /// confidence of 1 - 0.05 / k, k the number of others (Bonferroni), and reliable. Where the two are not compared with

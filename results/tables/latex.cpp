@@ -73,6 +73,13 @@ std::string with_unit(const std::string& name, const std::string& description, c
   return unit == "1" || unit.empty() ? what : fmt::format("{} in {}", what, unit);
 }
 
+/// The head of a column of short entries, on several lines where it is long.
+std::string narrow(const std::string& text) {
+  constexpr std::size_t longest = 20;
+  if (text.size() <= longest) return latex_text(text);
+  return fmt::format("\\multicolumn{{1}}{{p{{2.6cm}}}}{{\\raggedright {}}}", latex_text(text));
+}
+
 /// A name that `\\ref` can name.
 std::string label_text(const std::string& name) {
   std::string label;
@@ -101,6 +108,8 @@ class Table {
  public:
   Table(const Summary& summary, const Measure& measure)
       : summary_(summary), header_(summary.header), measure_(measure), methods_(reporting_methods(summary, measure)) {
+    const std::vector<Measure> ranking = ranking_measures(summary);
+    is_ranked_ = std::ranges::find(ranking, measure.name, &Measure::name) != ranking.end();
     std::size_t most = 1;
     for (std::size_t axis = 0; axis < header_.axes.size(); ++axis) {
       const std::size_t values = header_.axes[axis].values.size();
@@ -156,7 +165,7 @@ class Table {
 
   /// Whether the method is significantly the best of its cell.
   bool is_best(std::size_t cell, std::size_t method) const {
-    if (!is_ranking(header_.schema, measure_)) return false;
+    if (!is_ranked_) return false;
     const auto ranking = ranking_of(summary_, cell, methods_, measure_);
     return ranking && ranking->best == method && ranking->is_significant();
   }
@@ -173,7 +182,7 @@ class Table {
     for (std::size_t axis = 0; axis < header_.axes.size(); ++axis) {
       if (axis == column_axis_) continue;
       const Axis& a = header_.axes[axis];
-      heads.push_back(latex_text(with_unit(a.name, a.description, a.unit)));
+      heads.push_back(narrow(with_unit(a.name, a.description, a.unit)));
     }
     if (!column_axis_) {
       for (const std::size_t method : columns) heads.push_back(latex_text(header_.methods[method].label));
@@ -234,6 +243,7 @@ class Table {
   std::vector<std::size_t> methods_;
   std::optional<std::size_t> column_axis_;
   std::map<Key, std::map<std::size_t, std::string>> entries_;  ///< by row and column
+  bool is_ranked_ = false;
   bool any_untrusted_ = false;
   bool any_best_ = false;
 };

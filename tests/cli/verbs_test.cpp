@@ -210,7 +210,7 @@ TEST_CASE("export writes LaTeX tables of cells by methods") {
   CHECK(contains(both, "\\label{tab:converged}"));
   const std::string one = folder.ridgeloc("export result.h5 --latex --metric gdop").out;
   CHECK(one.starts_with("% ridgeloc export result.h5 --latex --metric gdop\n"));
-  CHECK(contains(one, "    standard deviation of the range errors in m & method & 3 & 5 \\\\\n"));
+  CHECK(contains(one, "standard deviation of the range errors in m} & method & 3 & 5 \\\\\n"));
   REQUIRE(folder.ridgeloc("export result.h5 --latex -o t.tex").exit_code == 0);
   CHECK(folder.read("t.tex") == both);
 
@@ -307,6 +307,8 @@ TEST_CASE("report writes one page, of one result or of several, and never over a
   const std::string page = folder.read("result.html");
   CHECK(page.starts_with("<!DOCTYPE html>"));
   CHECK(contains(page, "<title>A small study</title>"));
+  CHECK(contains(page, "<caption><span>error_all_m [m]: median [95 %]</span></caption>"));
+  CHECK(contains(page, ": best in "));
   CHECK(contains(page, "ridgeloc plot result.h5 --figure rate"));
   CHECK(folder.ridgeloc("report result.h5 result.h5").out == "report.html\n");
   CHECK(contains(folder.read("report.html"), "<title>2 studies</title>"));

@@ -107,10 +107,19 @@ TEST_CASE("methods are ranked by what all trials have, in the unit of what is co
   CHECK(ranking_measure(summary)->name == "error_m");
   schema.metrics[1].is_compared = true;
   CHECK(ranking_measure(summary)->name == "error_all_m");
-  CHECK(is_ranking(schema, measures_of(schema)[1]));
-  CHECK_FALSE(is_ranking(schema, measures_of(schema)[2]));
+  CHECK(ranking_measures(summary).size() == 2);
   schema.metrics[1].unit = "m2";
   CHECK(ranking_measure(summary)->name == "error_m");
+  CHECK(ranking_measures(summary).size() == 1);
+}
+
+TEST_CASE("a result that has been read knows what is compared by its differences") {
+  Summary summary = three_methods(0.02, true);
+  summary.header.schema.metrics[0].is_compared = false;
+  CHECK(ranking_measure(summary)->name == "error_m");
+  Summary alone = three_methods(0.02, false);
+  alone.header.schema.metrics[0].is_compared = false;
+  CHECK_FALSE(ranking_measure(alone));
 }
 
 }  // namespace
