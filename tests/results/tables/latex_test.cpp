@@ -131,7 +131,7 @@ TEST_CASE("names from a result are harmless in LaTeX, and unknown ones are refus
 TEST_CASE("an error of a mean that is not reliable is marked") {
   const std::string text = latex_tables(synthetic_summary(), {"error_m"}, source);
   CHECK(text.find("$2.50(65)^{!}$") != std::string::npos);
-  CHECK(text.find("!: the error itself is not reliable.}") != std::string::npos);
+  CHECK(text.find("!: the error itself is not reliable. ") != std::string::npos);
 }
 
 TEST_CASE("texts that LaTeX would interpret are shown as they are") {
