@@ -307,8 +307,7 @@ TEST_CASE("report writes one page, of one result or of several, and never over a
   const std::string page = folder.read("result.html");
   CHECK(page.starts_with("<!DOCTYPE html>"));
   CHECK(contains(page, "<title>A small study</title>"));
-  CHECK(contains(page, "<caption><span>error_all_m [m]: median [95 %]</span></caption>"));
-  CHECK(contains(page, ": best in "));
+  CHECK(page.find(": best in ") < page.find(">Overview</h2>"));
   CHECK(contains(page, "ridgeloc plot result.h5 --figure rate"));
   CHECK(folder.ridgeloc("report result.h5 result.h5").out == "report.html\n");
   CHECK(contains(folder.read("report.html"), "<title>2 studies</title>"));
