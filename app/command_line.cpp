@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <csignal>
+#include <cstdio>
 #include <exception>
 #include <functional>
 #include <new>
@@ -34,7 +35,7 @@ namespace {
 int complain(std::string message, ExitCode code) {
   std::ranges::replace_if(
       message, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  fmt::print(stderr, "ridgeloc: {}\n", message);
+  say(fmt::format("ridgeloc: {}\n", message));
   return code;
 }
 
@@ -132,6 +133,11 @@ class CommandLine {
         ->excludes(seed);
     add_threads(verify_verb, verify_.threads);
 
+    CLI::App& status_verb = verb("status", "how far a run is that goes on, or was stopped: blocks, rate, failures",
+                                 [this] { return status(status_); });
+    status_verb.add_option("RESULT", status_.results, "result files, or the folders of their parts")->required();
+    status_verb.add_flag("--json", status_.json, "print JSON instead of text");
+
     add_summary_options(verb("summary", "print a result as tables", [this] { return summary(summary_); }), summary_);
 
     CLI::App& audit_verb = verb("audit", "solve the failed trials of a result again with Ceres; writes nothing",
@@ -217,6 +223,7 @@ class CommandLine {
   MergeOptions merge_;
   CompareOptions compare_;
   VerifyOptions verify_;
+  StatusOptions status_;
   SummaryOptions summary_;
   AuditOptions audit_;
   ReplayOptions replay_;
@@ -228,6 +235,7 @@ class CommandLine {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
+  prepare_standard_streams();
   // A write beyond the file-size limit then fails like one to a full disk, instead of killing the program.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
@@ -236,10 +244,16 @@ int run_command_line(int argc, char** argv) {
     return code;
   } catch (const core::InputError& error) {
     return complain(error.what(), BadInput);
+  } catch (const OutputLost& error) {
+    // Who reads no further, as `head` does, wants no more lines.
+    return is_reader_gone() ? IoFailure : complain(error.what(), IoFailure);
+  } catch (const core::IoError& error) {
+    return complain(error.what(), IoFailure);
   } catch (const std::bad_alloc&) {
     return complain("out of memory; a smaller sweep or fewer threads needs less", IoFailure);
   } catch (const std::exception& error) {
-    return complain(error.what(), IoFailure);
+    const bool of_output = std::ferror(stdout) != 0;
+    return of_output && is_reader_gone() ? IoFailure : complain(error.what(), IoFailure);
   }
 }
 

@@ -37,10 +37,10 @@ core::Isa isa_of(const std::string& asked, const std::vector<results::Header>& h
   }
   const auto isa = core::find_isa(begun);
   if (isa && core::is_supported(*isa)) return *isa;
-  throw core::InputError(
-      fmt::format("{}: was begun with the instruction set {}, which this processor lacks; go on where it began, remove "
-                  "it, or choose another -o",
-                  output, begun));
+  throw core::InputError(fmt::format(
+      "{}: was begun with the instruction set {}, which this processor or build lacks; go on where it began, remove "
+      "it, or choose another -o",
+      output, begun));
 }
 
 }  // namespace
@@ -68,7 +68,14 @@ std::string difference_to(const studies::Study& study, const results::Header& fo
 }
 
 studies::Study study_of(const results::Header& header, const std::string& path) {
-  return studies::read_study({path, path, header.study_toml});
+  try {
+    return studies::read_study({path, path, header.study_toml, false});
+  } catch (const core::InputError& error) {
+    throw core::InputError(
+        fmt::format("{}: this program lacks what its study names, and cannot compute any of it: {}; "
+                    "summary, plot, report and export show it all the same",
+                    path, error.what()));
+  }
 }
 
 Job continued(studies::Study study, const std::filesystem::path& output, const std::string& isa,

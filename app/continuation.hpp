@@ -18,7 +18,8 @@ void require_shareable(const studies::Study& study);
 /// 2018)"; empty if they do.
 std::string difference_to(const studies::Study& study, const results::Header& found, const std::string& path);
 
-/// The study that a result says it is. Throws core::InputError if this program cannot read it.
+/// The study that a result says it is. Throws core::InputError if this program cannot read it: a solver or an estimator
+/// of K may come from another one.
 studies::Study study_of(const results::Header& header, const std::string& path);
 
 /// A study to run, and what it amounts to together with all that its result holds already.

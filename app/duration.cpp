@@ -8,16 +8,21 @@
 #include <regex>
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 
 namespace ridgeloc::app {
 
 std::string duration_text(double seconds) {
   if (seconds < 10.0) return fmt::format("{:.2f} s", seconds);
   if (seconds < 59.5) return fmt::format("{:.0f} s", seconds);
-  const auto whole = static_cast<std::uint64_t>(std::llround(seconds));
+  // More is days, whose number may be larger than integers are.
+  const auto whole = static_cast<std::uint64_t>(std::llround(std::min(seconds, 1e9)));
   if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
   if (whole < 48 * 3600) return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
-  return fmt::format("{:.1f} days", seconds / 86400.0);
+  const double days = seconds / 86400.0;
+  constexpr double days_per_year = 365.25;
+  return days < 2.0 * days_per_year ? fmt::format("{:.1f} days", days)
+                                    : fmt::format("{:.0f} years", days / days_per_year);
 }
 
 namespace {
@@ -45,6 +50,12 @@ double seconds_with_colons(const std::string& text) {
 
 }  // namespace
 
+std::string rate_text(double trials_per_second) {
+  if (trials_per_second >= 1e6) return fmt::format("{:.2f} M trials/s", trials_per_second / 1e6);
+  if (trials_per_second >= 1e3) return fmt::format("{:.1f} k trials/s", trials_per_second / 1e3);
+  return fmt::format("{:.3g} trials/s", trials_per_second);
+}
+
 double seconds_of(const std::string& text) {
   constexpr double longest = 1e9;
   // Regular expressions of the standard library recurse for each character of what they match.
@@ -53,7 +64,7 @@ double seconds_of(const std::string& text) {
   const double seconds = is_short ? std::max(seconds_with_units(text), seconds_with_colons(text)) : 0.0;
   if (!(seconds > 0.0 && seconds <= longest)) {
     throw core::InputError(
-        fmt::format("\"{}\" is not a time; write it as 90s, 10m, 1h30m or HH:MM:SS, above zero", text));
+        fmt::format("\"{}\" is not a time; write it as 90s, 10m, 1h30m or HH:MM:SS, above zero", core::excerpt(text)));
   }
   return seconds;
 }

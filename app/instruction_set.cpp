@@ -10,8 +10,9 @@ core::Isa instruction_set(const std::string& name) {
   if (name.empty()) return core::best_isa();
   const auto isa = core::find_isa(name);
   if (!isa || !core::is_supported(*isa)) {
-    throw core::InputError(fmt::format("this processor cannot compute with the instruction set {}; it can with {}",
-                                       name, core::name_of(core::best_isa())));
+    throw core::InputError(fmt::format("{} cannot compute with the instruction set {}; it can with {}",
+                                       isa && !core::has_kernels(*isa) ? "this build" : "this processor", name,
+                                       core::name_of(core::best_isa())));
   }
   return *isa;
 }

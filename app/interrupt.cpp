@@ -44,6 +44,9 @@ const std::atomic<bool>& stop_on_signals() {
   sigaction(SIGTERM, &action, nullptr);
   // Batch systems send this one some time before they kill a job.
   sigaction(SIGUSR1, &action, nullptr);
+  // The terminal is gone. Under nohup the signal is ignored, and stays so.
+  struct sigaction hangup {};
+  if (sigaction(SIGHUP, nullptr, &hangup) == 0 && hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
   return stop_requested;
 }
 

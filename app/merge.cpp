@@ -11,6 +11,7 @@
 #include "app/build_info.hpp"
 #include "app/continuation.hpp"
 #include "app/exit_code.hpp"
+#include "app/output.hpp"
 #include "app/result_probe.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
@@ -92,7 +93,7 @@ int merge(const MergeOptions& options) {
   }
   provenance.contributions.assign(contributions.begin(), contributions.end());
   results::merge_results(paths, options.output, header, provenance);
-  fmt::print(stderr, "{}: {}\n", options.output, results::completeness_text(results::read_result(options.output)));
+  say(fmt::format("{}: {}\n", options.output, results::completeness_text(results::read_result(options.output))));
   fmt::print("{}\n", options.output);
   return Success;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "studies/study/value.hpp"
 
 namespace ridgeloc::app {
@@ -13,7 +14,7 @@ namespace ridgeloc::app {
 void check_name(const char* option, const std::string& name, const std::vector<std::string>& allowed) {
   if (std::ranges::find(allowed, name) != allowed.end()) return;
   const std::string nearest = studies::nearest_name(name, allowed);
-  throw core::InputError(fmt::format("{} \"{}\" is unknown{} (allowed: {})", option, name,
+  throw core::InputError(fmt::format("{} \"{}\" is unknown{} (allowed: {})", option, core::excerpt(name),
                                      nearest.empty() ? "" : fmt::format(", did you mean \"{}\"?", nearest),
                                      fmt::join(allowed, ", ")));
 }

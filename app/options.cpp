@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <optional>
 #include <thread>
 
+#include "core/error.hpp"
 #include "core/isa.hpp"
+#include "results/figures/figure_names.hpp"
 #include "results/schema/axis_values.hpp"
 
 namespace ridgeloc::app {
@@ -17,12 +19,48 @@ namespace {
 
 constexpr int max_threads = 1024;
 
-/// "1e6" as TOML would have it, "1000000"; other texts unchanged, for the study reader to judge.
-std::string whole_number(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const bool exact = end != text.c_str() && *end == '\0' && value == std::floor(value) && std::fabs(value) < 1e15;
-  return exact ? fmt::format("{:.0f}", value) : text;
+/// "A:B", the lower before the upper.
+results::AxisRange range_of(const std::string& option, const std::string& text) {
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const auto low = results::number_in(text.substr(0, colon));
+  const auto high = results::number_in(text.substr(std::min(colon + 1, text.size())));
+  if (!low || !high || !std::isfinite(*low) || !std::isfinite(*high) || !(*low < *high))
+    throw core::InputError(fmt::format("{} {}: write two numbers, the lower first, as in 0.1:10", option, text));
+  return {*low, *high};
+}
+
+/// "WxH" in millimetres.
+results::Page page_of(const std::string& text) {
+  const std::size_t by = std::min(text.find('x'), text.size());
+  const auto width = results::number_in(text.substr(0, by));
+  const auto height = results::number_in(text.substr(std::min(by + 1, text.size())));
+  constexpr double largest_mm = 2000.0;
+  const auto fits = [&](const std::optional<double>& length) {
+    return length && *length > 0.0 && *length <= largest_mm;
+  };
+  if (!fits(width) || !fits(height))
+    throw core::InputError(
+        fmt::format("--size {}: write width and height in mm, as in 180x120, at most {:g} each", text, largest_mm));
+  return {*width, *height};
+}
+
+/// How figures are looked at, those of the study too.
+void add_view_options(CLI::App& verb, results::FigureView& view) {
+  const auto limits = [&](const char* option, std::optional<results::AxisRange>& range, const char* description) {
+    verb.add_option_function<std::string>(
+            option, [option, &range](const std::string& text) { range = range_of(option, text); }, description)
+        ->type_name("A:B");
+  };
+  limits("--xlim", view.x, "ends of the horizontal axis");
+  limits("--ylim", view.y, "ends of the vertical axes");
+  verb.add_flag("--log-x", view.log_x, "logarithmic horizontal axis (default: where it spans decades)");
+  verb.add_option_function<std::string>(
+          "--size", [&view](const std::string& text) { view.size = page_of(text); },
+          "size of the figure in mm (default: 85 wide for each column of panels, as high as they need)")
+      ->type_name("WxH");
+  verb.add_option("--columns", view.columns, "columns of panels (default: 1, or one for each quantity)")
+      ->check(CLI::Range(1, 20))
+      ->type_name("N");
 }
 
 /// What describes one figure. All of it needs --y, without which the figures of the study are drawn.
@@ -40,8 +78,9 @@ void add_figure_options(CLI::App& verb, results::FigureSpec& figure, CLI::Option
             "axis or \"method\", a line for each of its values; may be repeated (default: what tells lines apart)")
       ->needs(y);
   text("--facet", figure.facet, "axis or \"method\", a panel for each of its values")->type_name("NAME");
-  text("--statistic", figure.statistic, "mean, median or rms (default: that which the metric leads with)")
-      ->check(CLI::IsMember({"mean", "median", "rms"}));
+  text("--statistic", figure.statistic,
+       "mean, median, rms, or a quantile: p95 (default: that which the metric leads with)")
+      ->check(CLI::IsMember(results::figure_statistics()));
   add_names(verb, "--methods", figure.methods, "method to draw; may be repeated (default: all)")->needs(y);
   verb.add_option_function<std::vector<std::string>>(
           "--where",
@@ -79,11 +118,11 @@ void add_study_options(CLI::App& verb, StudyOptions& options) {
   verb.add_option("STUDY", options.studies, "study files, or names from the catalog (ridgeloc list studies)")
       ->required();
   verb.add_option_function<std::string>(
-          "--trials", [&options](const std::string& n) { options.overrides.push_back("trials=" + whole_number(n)); },
+          "--trials", [&options](const std::string& n) { options.overrides.push_back("trials=" + n); },
           "trials per cell (10000, 1e6)")
       ->type_name("N");
   verb.add_option_function<std::string>(
-          "--seed", [&options](const std::string& n) { options.overrides.push_back("seed=" + whole_number(n)); },
+          "--seed", [&options](const std::string& n) { options.overrides.push_back("seed=" + n); },
           "seed of all random numbers")
       ->type_name("N");
   verb.add_option_function<std::string>(
@@ -150,6 +189,11 @@ void add_export_options(CLI::App& verb, ExportOptions& options) {
       ->excludes(study)
       ->excludes(json)
       ->excludes(latex);
+  const auto of_csv = [&](CLI::Option* option) { option->excludes(json)->excludes(latex)->excludes(study); };
+  of_csv(verb.add_flag("--bom", options.byte_order_mark, "begin the CSV with a mark by which spreadsheets know UTF-8"));
+  of_csv(verb.add_flag_callback(
+      "--decimal-comma", [&options] { options.decimal_mark = results::DecimalMark::Comma; },
+      "CSV with 0,5 for numbers and semicolons between them, as spreadsheets of many countries read it"));
   verb.add_option("-o", options.output, "file to write")->type_name("FILE");
 }
 
@@ -162,6 +206,7 @@ void add_plot_options(CLI::App& verb, PlotOptions& options) {
       ->check(CLI::IsMember({"svg", "pdf", "png"}));
   verb.add_flag("--no-bounds", options.no_bounds, "leave out the bounds of metrics (the Cramer-Rao bound of errors)");
   add_figure_options(verb, options.asked, chosen);
+  add_view_options(verb, options.view);
 }
 
 }  // namespace ridgeloc::app

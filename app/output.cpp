@@ -1,7 +1,12 @@
 #include "app/output.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -14,18 +19,42 @@ namespace ridgeloc::app {
 
 namespace fs = std::filesystem;
 
+void prepare_standard_streams() {
+  std::signal(SIGPIPE, SIG_IGN);
+  // The lowest free descriptor is taken. Opened for reading alone, none pretends to take what is written to it.
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(descriptor, F_GETFD) < 0 && errno == EBADF) static_cast<void>(::open("/dev/null", O_RDONLY));
+}
+
+void say(std::string_view text) noexcept {
+  while (!text.empty()) {
+    const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
 fs::path link_target(const fs::path& path) {
   constexpr int most_links = 40;  // the system's own limit
   fs::path target = path;
   std::error_code unknown;
   for (int i = 0; i < most_links && fs::is_symlink(target, unknown); ++i)
     target = target.parent_path() / fs::read_symlink(target, unknown);
+  if (fs::is_symlink(target, unknown))
+    throw core::InputError(
+        fmt::format("{}: these links lead in a circle; remove them or choose another -o", path.string()));
   return target;
 }
 
 void write_output(const std::string& path, const std::function<void(std::ostream&)>& write) {
   if (path.empty()) {
-    write(std::cout);
+    try {
+      write(std::cout);
+    } catch (const core::IoError&) {
+      if (!std::cout) throw OutputLost();
+      throw;
+    }
     return;
   }
   std::error_code unknown;
@@ -62,11 +91,16 @@ bool path_exists(const fs::path& path) {
   return fs::exists(path, unknown);
 }
 
+bool is_reader_gone() {
+  pollfd output{STDOUT_FILENO, 0, 0};
+  return ::poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
+}
+
 void finish_standard_output() {
   std::cout.flush();
   const bool flushed = std::fflush(stdout) == 0;
   if (!std::cout || !flushed || std::ferror(stdout) != 0) {
-    throw core::IoError("standard output cannot be written; is the disk full or the reader gone?");
+    throw OutputLost();
   }
 }
 

@@ -12,9 +12,11 @@
 #include "app/instruction_set.hpp"
 #include "app/output.hpp"
 #include "app/slurm.hpp"
+#include "app/stop_text.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "results/schema/text.hpp"
 #include "results/util/shell.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/registry.hpp"
@@ -54,18 +56,19 @@ double print_plan(const studies::Study& study, core::Isa isa, int threads) {
   }
   const double columns_mib = kept * static_cast<double>(studies::bytes_per_trial(study)) / core::mebibyte;
   const auto [least, most] = std::ranges::minmax(cell_trials);
+  const double most_trials = study.stop ? static_cast<double>(study.stop->max_trials) * cells : trials;
 
   fmt::print("{}: {}\n", study.name, study.title);
   for (const auto& axis : plan.header.axes) fmt::print("  axis     {} ({} values)\n", axis.name, axis.values.size());
   for (const auto& method : study.methods) fmt::print("  method   {} ({})\n", method.label, method.solver);
+  for (const std::string& remark : plan.remarks) fmt::print("  note     {}\n", remark);
   fmt::print("  cells    {}\n", plan.cells.size());
   const std::string per_cell = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
-  fmt::print("  trials   {}{:.0f} ({} per cell)\n", study.stop ? "about " : "", trials, per_cell);
+  fmt::print("  trials   {}{:.0f} ({} per cell){}\n", study.stop ? "about " : "", trials, per_cell,
+             study.stop ? fmt::format(", at most {:.0f}", most_trials) : "");
   if (study.stop) {
     const studies::StopRule& rule = *study.stop;
-    fmt::print("  stop     when the standard error of the {} of {} is below {:g}{}, after {} to {} trials per cell\n",
-               rule.statistic, rule.metric, rule.is_relative ? 100.0 * rule.target : rule.target,
-               rule.is_relative ? " %" : "", rule.min_trials, rule.max_trials);
+    fmt::print("  stop     {}, after {} to {} trials per cell\n", target_text(rule), rule.min_trials, rule.max_trials);
     if (rule.max_cost > 0.0) fmt::print("           or at a cost of {:g} of all cells together\n", rule.max_cost);
   }
   fmt::print("  blocks   {} of {} trials\n", blocks, block);
@@ -75,9 +78,14 @@ double print_plan(const studies::Study& study, core::Isa isa, int threads) {
   const auto busy = static_cast<int>(std::min(static_cast<std::uint64_t>(threads), blocks));
   const auto at_once = static_cast<std::uint64_t>(threads);
   const std::uint64_t rounds = (blocks + at_once - 1) / at_once;
-  const double seconds = (pilot.seconds_per_trial * trials + pilot.seconds_per_cell * cells) *
-                         static_cast<double>(rounds) / static_cast<double>(blocks);
-  fmt::print("  time     about {} on {} thread{}{}\n", duration_text(seconds), threads, threads == 1 ? "" : "s",
+  const double share_of_rounds = static_cast<double>(rounds) / static_cast<double>(blocks);
+  const auto seconds_for = [&](double n) {
+    return (pilot.seconds_per_trial * n + pilot.seconds_per_cell * cells) * share_of_rounds;
+  };
+  const double seconds = seconds_for(trials);
+  fmt::print("  time     about {}{} on {}{}\n", duration_text(seconds),
+             study.stop ? fmt::format(", at most {},", duration_text(seconds_for(most_trials))) : "",
+             results::count_text(at_once, "thread"),
              busy < threads ? fmt::format(", {} of them at work: there are no more blocks", busy) : "");
   if (study.audit > 0.0) {
     fmt::print("  audit    by Ceres: the first {} trials of each cell and {:g} of the others\n",

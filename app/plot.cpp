@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "app/exit_code.hpp"
+#include "app/look.hpp"
 #include "app/output.hpp"
 #include "app/result_probe.hpp"
 #include "app/verbs.hpp"
@@ -13,6 +14,9 @@
 #include "results/figures/figure.hpp"
 #include "results/figures/figure_request.hpp"
 #include "results/store/result_file.hpp"
+#include "results/store/snapshot.hpp"
+#include "results/util/file_system.hpp"
+#include "results/util/json.hpp"
 
 namespace ridgeloc::app {
 
@@ -41,29 +45,54 @@ std::vector<results::FigureSpec> chosen_figures(const results::Header& header, c
   return chosen;
 }
 
+/// Where each figure goes, in each format.
+struct Output {
+  results::FigureSpec figure;
+  fs::path file;
+};
+
+/// Names of figures come from the result, and a result from anywhere.
+void check_file_name(const std::string& result, const std::string& figure) {
+  if (results::is_plain_file_name(figure)) return;
+  throw core::InputError(
+      fmt::format("{}: a figure is called {}, which can be no file of the output folder; draw it alone, with -o FILE",
+                  result, results::json_string(figure)));
+}
+
+std::vector<Output> outputs(const std::vector<results::FigureSpec>& figures, const PlotOptions& options) {
+  const fs::path output(options.output);
+  std::error_code unknown;
+  std::vector<std::string> formats = options.formats;
+  if (output.has_extension() && !fs::is_directory(output, unknown)) {
+    const std::string ending = output.extension().string().substr(1);
+    const bool agrees = formats.empty() || formats == std::vector<std::string>{ending};
+    if (figures.size() > 1 || !agrees) {
+      throw core::InputError(fmt::format(
+          "-o {}: names one file, but there are {} figures or another --format; name a folder, or one figure with "
+          "--figure",
+          options.output, figures.size()));
+    }
+    return {{figures.front(), output}};
+  }
+  for (const results::FigureSpec& figure : figures) check_file_name(options.result, figure.name);
+  require_folder(output);
+  if (formats.empty()) formats = {"svg"};
+  std::vector<Output> all;
+  for (const results::FigureSpec& figure : figures)
+    for (const std::string& format : formats) all.push_back({figure, output / (figure.name + "." + format)});
+  return all;
+}
+
 }  // namespace
 
 int plot(const PlotOptions& options) {
-  const results::Summary summary = read_probed(options.result, [&] { return results::read_result(options.result); });
-  auto figures = chosen_figures(summary.header, options);
-  const fs::path output(options.output);
-  std::error_code unknown;
-  const bool one_file = output.has_extension() && !fs::is_directory(output, unknown);
-  if (one_file && (figures.size() > 1 || !options.formats.empty())) {
-    throw core::InputError(fmt::format(
-        "-o {}: names one file, but there are {} figures or a --format; name a folder, or one figure with --figure",
-        options.output, figures.size()));
-  }
-  if (!one_file) require_folder(output);
-  std::vector<std::string> formats = options.formats;
-  if (formats.empty()) formats = {"svg"};
-  for (results::FigureSpec& figure : figures) {
-    if (options.no_bounds) figure.bounds = false;
-    for (const std::string& format : formats) {
-      const fs::path path = one_file ? output : output / (figure.name + "." + format);
-      results::draw_figure(summary, figure, path);
-      fmt::print("{}\n", path.string());
-    }
+  const results::Summary summary = results::summarize(look(options.result));
+  const std::string digest =
+      summary.is_sealed ? read_probed(options.result, [&] { return results::data_digest(options.result); }) : "";
+  for (Output& output : outputs(chosen_figures(summary.header, options), options)) {
+    if (options.no_bounds) output.figure.bounds = false;
+    results::draw_figure(summary, output.figure, output.file, options.view, digest);
+    fmt::print("{}\n", output.file.string());
   }
   return Success;
 }

@@ -12,6 +12,8 @@
 #include <string_view>
 
 #include "app/duration.hpp"
+#include "app/output.hpp"
+#include "core/elapsed.hpp"
 
 namespace ridgeloc::app {
 
@@ -33,17 +35,17 @@ std::size_t terminal_columns() {
   return known ? size.ws_col : 80;
 }
 
-std::string rate_text(double trials_per_second) {
-  if (trials_per_second >= 1e6) return fmt::format("{:.2f} M trials/s", trials_per_second / 1e6);
-  if (trials_per_second >= 1e3) return fmt::format("{:.1f} k trials/s", trials_per_second / 1e3);
-  return fmt::format("{:.3g} trials/s", trials_per_second);
-}
-
 }  // namespace
 
 ProgressDisplay::ProgressDisplay(std::string name, const studies::RunProgress& progress)
     : terminal_(is_terminal()),
       thread_([this, name = std::move(name), &progress](const std::stop_token& stop) { show(stop, name, progress); }) {}
+
+void ProgressDisplay::print_line(std::string line) const {
+  if (!terminal_) return say(line + "\n");
+  line.resize(std::min(line.size(), terminal_columns() - 1));
+  say(fmt::format("\r{}\x1b[K", line));
+}
 
 void ProgressDisplay::show(const std::stop_token& stop, const std::string& name,
                            const studies::RunProgress& progress) const {
@@ -53,7 +55,11 @@ void ProgressDisplay::show(const std::stop_token& stop, const std::string& name,
   const Clock::time_point begin = Clock::now();
   while (!wake.wait_for(lock, stop, terminal_ ? Clock::duration(terminal_interval) : Clock::duration(log_interval),
                         [&] { return stop.stop_requested(); })) {
-    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    if (progress.is_writing.load()) {
+      print_line(fmt::format("{}: all trials are done, writing the result", name));
+      continue;
+    }
+    const double seconds = core::seconds_since(begin);
     const auto run = static_cast<double>(progress.trials_done.load());
     const double done = run + static_cast<double>(progress.trials_found.load());
     const auto total = static_cast<double>(std::max<std::uint64_t>(progress.trials_total.load(), 1));
@@ -63,19 +69,13 @@ void ProgressDisplay::show(const std::stop_token& stop, const std::string& name,
     const std::string rate = rate_text(speed);
     if (terminal_) {
       const auto filled = static_cast<std::size_t>(share * bar_width);
-      std::string line = fmt::format("{} {:3.0f}% [{}{}] {}, {} left", name, share * 100.0, std::string(filled, '#'),
-                                     std::string(bar_width - filled, '.'), rate, left);
-      line.resize(std::min(line.size(), terminal_columns() - 1));
-      fmt::print(stderr, "\r{}\x1b[K", line);
-      std::fflush(stderr);
+      print_line(fmt::format("{} {:3.0f}% [{}{}] {}, {} left", name, share * 100.0, std::string(filled, '#'),
+                             std::string(bar_width - filled, '.'), rate, left));
     } else {
-      fmt::print(stderr, "{}: {:.1f} %, {}, {} left\n", name, share * 100.0, rate, left);
+      print_line(fmt::format("{}: {:.1f} %, {}, {} left", name, share * 100.0, rate, left));
     }
   }
-  if (terminal_) {
-    fmt::print(stderr, "\r\x1b[K");
-    std::fflush(stderr);
-  }
+  if (terminal_) say("\r\x1b[K");
 }
 
 }  // namespace ridgeloc::app

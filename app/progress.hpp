@@ -8,12 +8,14 @@
 namespace ridgeloc::app {
 
 /// Shows on standard error how far a run is: on a terminal a bar with rate and time left, redrawn ten times a second;
-/// elsewhere (a log, TERM=dumb) a plain line every ten seconds. The bar goes when the object does.
+/// elsewhere (a log, TERM=dumb) a plain line every ten seconds. While the result is written it says so. The bar goes
+/// when the object does.
 class ProgressDisplay {
  public:
   ProgressDisplay(std::string name, const studies::RunProgress& progress);
 
  private:
+  void print_line(std::string line) const;
   void show(const std::stop_token& stop, const std::string& name, const studies::RunProgress& progress) const;
 
   bool terminal_;

@@ -4,11 +4,11 @@
 
 #include <utility>
 
+#include "app/continuation.hpp"
 #include "app/result_probe.hpp"
 #include "core/error.hpp"
 #include "core/isa.hpp"
 #include "results/store/result_file.hpp"
-#include "studies/files/study_reader.hpp"
 #include "studies/registry.hpp"
 
 namespace ridgeloc::app {
@@ -22,8 +22,8 @@ Recomputation recomputation_of(const std::string& result) {
   }
   const auto isa = core::find_isa(header.isa);
   if (!isa || !core::is_supported(*isa)) {
-    throw core::InputError(
-        fmt::format("{}: was computed with the instruction set {}, which this processor lacks", result, header.isa));
+    throw core::InputError(fmt::format(
+        "{}: was computed with the instruction set {}, which this processor or build lacks", result, header.isa));
   }
   const std::string other_version = fmt::format(
       "{}: was computed by another version of the experiment {}; run the study again", result, header.experiment);
@@ -32,7 +32,7 @@ Recomputation recomputation_of(const std::string& result) {
   if (experiment != nullptr && experiment->version() != header.experiment_version) {
     throw core::InputError(other_version);
   }
-  studies::Study study = studies::read_study({result, result, header.study_toml});
+  studies::Study study = study_of(header, result);
   studies::Plan plan = studies::make_plan(study, *isa);
   if (plan.header.study_hash != header.study_hash) {
     throw core::InputError(other_version);

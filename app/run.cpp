@@ -16,13 +16,19 @@
 #include "app/interrupt.hpp"
 #include "app/output.hpp"
 #include "app/progress.hpp"
+#include "app/stop_text.hpp"
 #include "app/verbs.hpp"
+#include "core/elapsed.hpp"
 #include "core/error.hpp"
+#include "results/schema/text.hpp"
 #include "results/store/parts_folder.hpp"
+#include "results/store/result_claim.hpp"
+#include "results/store/result_file.hpp"
 #include "results/util/file_system.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/registry.hpp"
 #include "studies/run/runner.hpp"
+#include "studies/study/unmet_cells.hpp"
 
 namespace ridgeloc::app {
 
@@ -42,8 +48,14 @@ fs::path output_path(const RunOptions& options, const std::string& study_name) {
   return folder ? given / file : given;
 }
 
-std::vector<Job> make_jobs(const RunOptions& options) {
-  std::vector<Job> jobs;
+/// A study, and where its result goes.
+struct Request {
+  studies::Study study;
+  fs::path output;
+};
+
+std::vector<Request> read_requests(const RunOptions& options) {
+  std::vector<Request> requests;
   std::set<fs::path> outputs;
   for (const std::string& name : options.study.studies) {
     studies::Study study = studies::read_study(studies::find_study(name), options.study.overrides);
@@ -52,17 +64,24 @@ std::vector<Job> make_jobs(const RunOptions& options) {
       throw core::InputError(
           fmt::format("{}: two studies would write this result; run them apart with -o", output.string()));
     }
-    jobs.push_back(continued(std::move(study), output, options.study.isa, options.shard));
+    requests.push_back({std::move(study), output});
   }
-  // A folder is made only after every study has been found good.
-  const fs::path folder(options.output);
-  if (jobs.size() > 1 || !folder.has_filename()) require_folder(folder);
-  for (const Job& job : jobs) results::require_writable(job.output);
-  return jobs;
+  return requests;
 }
 
-std::string count_text(std::uint64_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+Job job_of(const Request& request, const RunOptions& options) {
+  return continued(request.study, request.output, options.study.isa, options.shard);
+}
+
+/// Refuses what cannot go on before anything is computed, and makes the folder.
+void check(const std::vector<Request>& requests, const RunOptions& options) {
+  // Of a single study nothing comes before it.
+  if (requests.size() > 1)
+    for (const Request& request : requests) static_cast<void>(job_of(request, options));
+  // A folder is made only after every study has been found good.
+  const fs::path folder(options.output);
+  if (requests.size() > 1 || !folder.has_filename()) require_folder(folder);
+  for (const Request& request : requests) results::require_writable(request.output);
 }
 
 /// Methods of [[method]] that were asked for: neither the scene's label nor differences.
@@ -75,13 +94,13 @@ std::uint64_t asked_methods(const Job& job) {
 void print_surplus(const Job& job) {
   const results::Header& header = job.plan.header;
   if (header.trials > job.assignment.trials) {
-    fmt::print(stderr, "{}: was asked for {} trials per cell before; all stay\n", job.output.string(), header.trials);
+    say(fmt::format("{}: was asked for {} trials per cell before; all stay\n", job.output.string(), header.trials));
   }
   const std::uint64_t cells = header.cells.size() - job.assignment.cells.size();
   const std::uint64_t methods = job.study.methods.size() - asked_methods(job);
   if (cells + methods > 0) {
-    fmt::print(stderr, "{}: has {} and {} besides those asked for; they stay\n", job.output.string(),
-               count_text(cells, "cell"), count_text(methods, "method"));
+    say(fmt::format("{}: has {} and {} besides those asked for; they stay\n", job.output.string(),
+                    results::count_text(cells, "cell"), results::count_text(methods, "method")));
   }
 }
 
@@ -93,62 +112,85 @@ std::string kept_in(const fs::path& output) {
   return places.empty() ? "" : fmt::format(" in {}", fmt::join(places, " and "));
 }
 
+/// Cells that have not reached the target of the stop rule.
+void print_unmet(const Job& job) {
+  const results::Summary summary = results::read_result(job.output);
+  if (!studies::unmet_cells(*job.study.stop, summary).empty())
+    say(fmt::format("{}: {}\n", job.study.name, reached_text(*job.study.stop, summary)));
+}
+
+/// That a name cannot be printed does not end the studies after it. The program says so at its end.
+void print_name(const fs::path& result) {
+  try {
+    fmt::print("{}\n", result.string());
+    finish_standard_output();
+  } catch (const std::exception&) {
+    return;
+  }
+}
+
 /// Runs one study; returns false when it was stopped before the end.
-bool run_job(const Job& job, int threads, const std::atomic<bool>& stop) {
+bool run_job(const Request& request, const RunOptions& options, const std::atomic<bool>& stop) {
+  // What is there is looked at when nobody else can change it any more: another run may have made or widened it while
+  // this study waited for its turn.
+  results::ResultClaim claim(request.output);
+  const Job job = job_of(request, options);
+  const int threads = options.study.threads;
   print_surplus(job);
+  for (const std::string& remark : job.plan.remarks) say(fmt::format("{}: note: {}\n", job.study.name, remark));
   const auto begin = std::chrono::steady_clock::now();
   studies::RunProgress progress;
   studies::RunOutcome outcome;
   try {
     const ProgressDisplay display(job.study.name, progress);
-    outcome = studies::run_study(job.study, job.plan, job.assignment, job.output, *studies::thread_queue(threads),
+    outcome = studies::run_study(job.study, job.plan, job.assignment, std::move(claim), *studies::thread_queue(threads),
                                  build_provenance(), progress, stop);
   } catch (const core::IoError& error) {
     const fs::path parts = results::parts_folder(job.output);
     const std::string kept = path_exists(parts) ? fmt::format("finished parts are kept in {}; ", parts.string()) : "";
     throw core::IoError(fmt::format("{} ({}the same command goes on from there)", error.what(), kept));
   }
-  for (const std::string& warning : outcome.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : outcome.warnings) say(fmt::format("warning: {}\n", warning));
   const std::uint64_t blocks = progress.blocks_total;
   if (!outcome.sealed) {
-    fmt::print(stderr, "{}: stopped; {} of {} blocks are kept{}. The same command goes on from there.\n",
-               job.study.name, outcome.blocks_kept, blocks, kept_in(job.output));
+    say(fmt::format("{}: stopped; {} of {} blocks are kept{}. The same command goes on from there.\n", job.study.name,
+                    outcome.blocks_kept, blocks, kept_in(job.output)));
     return false;
   }
   if (outcome.unchanged) {
-    fmt::print(stderr, "{}: complete already, nothing to do\n", job.output.string());
+    say(fmt::format("{}: complete already, nothing to do\n", job.output.string()));
   } else {
     if (outcome.blocks_found > 0) {
-      fmt::print(stderr, "{}: {} of {} blocks were there from an earlier run\n", job.study.name, outcome.blocks_found,
-                 blocks);
+      say(fmt::format("{}: {} of {} blocks were there from an earlier run\n", job.study.name, outcome.blocks_found,
+                      blocks));
     }
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const studies::Shard& shard = job.assignment.shard;
     const std::string trials = job.study.stop
                                    ? fmt::format("{} to {}", job.study.stop->min_trials, job.study.stop->max_trials)
                                    : std::to_string(job.assignment.trials);
     const std::string methods =
-        job.study.methods.empty() ? "" : fmt::format(", {}", count_text(asked_methods(job), "method"));
-    fmt::print(stderr, "{}: {}, {} trials each{} on {} with {}{}: {}\n", job.study.name,
-               count_text(job.assignment.cells.size(), "cell"), trials, methods,
-               count_text(static_cast<std::uint64_t>(threads), "thread"), job.plan.header.isa,
-               shard.count == 1 ? "" : fmt::format(", share {} of {}", shard.number, shard.count),
-               duration_text(seconds));
+        job.study.methods.empty() ? "" : fmt::format(", {}", results::count_text(asked_methods(job), "method"));
+    say(fmt::format("{}: {}, {} trials each{} on {} with {}{}: {}\n", job.study.name,
+                    results::count_text(job.assignment.cells.size(), "cell"), trials, methods,
+                    results::count_text(static_cast<std::uint64_t>(threads), "thread"), job.plan.header.isa,
+                    shard.count == 1 ? "" : fmt::format(", share {} of {}", shard.number, shard.count),
+                    duration_text(core::seconds_since(begin))));
+    if (job.study.stop) print_unmet(job);
   }
-  fmt::print("{}\n", job.output.string());
-  finish_standard_output();
+  print_name(job.output);
   return true;
 }
 
 }  // namespace
 
 int run(const RunOptions& options) {
-  const std::vector<Job> jobs = make_jobs(options);
+  const std::vector<Request> requests = read_requests(options);
+  check(requests, options);
   const std::atomic<bool>& stop = stop_on_signals();
   std::optional<TimeLimit> limit;
   if (options.time_limit_s) limit.emplace(*options.time_limit_s);
-  for (const Job& job : jobs) {
-    if (!run_job(job, options.study.threads, stop)) return Stopped;
+  for (const Request& request : requests) {
+    if (!run_job(request, options, stop)) return Stopped;
   }
   return Success;
 }

@@ -1,10 +1,14 @@
 #include <fmt/format.h>
 
+#include <string>
+
 #include "app/exit_code.hpp"
+#include "app/look.hpp"
 #include "app/name_choice.hpp"
-#include "app/result_probe.hpp"
+#include "app/stop_text.hpp"
 #include "app/verbs.hpp"
-#include "results/store/result_file.hpp"
+#include "results/store/snapshot.hpp"
+#include "results/tables/fitted_table.hpp"
 #include "results/tables/overview.hpp"
 #include "results/tables/table.hpp"
 #include "studies/plan/cell_choice.hpp"
@@ -35,13 +39,15 @@ results::SummaryChoice choice_of(const SummaryOptions& options, const results::H
 int summary(const SummaryOptions& options) {
   bool is_first = true;
   for (const std::string& path : options.results) {
-    const results::Summary summary = read_probed(path, [&] { return results::read_result(path); });
+    const results::Summary summary = results::summarize(look(path));
     const results::SummaryChoice choice = choice_of(options, summary.header);
     if (options.all) {
       fmt::print("{}", results::summary_table(summary, choice));
     } else {
       fmt::print("{}{}", is_first ? "" : "\n", results::summary_overview(summary, choice));
     }
+    if (const std::string reached = reached_text(summary, path); !reached.empty())
+      fmt::print("\n{}", results::wrapped_text(fmt::format("stop: {}", reached), results::summary_width));
     is_first = false;
   }
   return Success;

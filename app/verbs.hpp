@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "results/figures/figure_view.hpp"
 #include "results/schema/schema.hpp"
+#include "results/tables/csv_writer.hpp"
 #include "studies/plan/assignment.hpp"
 
 /// The verbs of the program, one source file each. Each returns an exit code, or throws core::InputError or
@@ -68,6 +70,12 @@ struct VerifyOptions {
 };
 int verify(const VerifyOptions& options);
 
+struct StatusOptions {
+  std::vector<std::string> results;  ///< or the folders of their parts
+  bool json = false;                 ///< instead of text
+};
+int status(const StatusOptions& options);
+
 struct SummaryOptions {
   std::vector<std::string> results;
   bool all = false;                  ///< every number of every cell and method
@@ -99,11 +107,13 @@ struct ExportOptions {
   std::string result;
   std::string output;  ///< empty: standard output
   bool csv = true;
-  bool trials = false;               ///< rows per trial instead of per metric
-  bool failures = false;             ///< rows per failed trial that is listed
-  bool study = false;                ///< the study file that the result holds
-  bool json = false;                 ///< the same rows per metric as JSON
-  bool latex = false;                ///< tables for LaTeX instead of CSV
+  bool trials = false;                                              ///< rows per trial instead of per metric
+  bool failures = false;                                            ///< rows per failed trial that is listed
+  bool study = false;                                               ///< the study file that the result holds
+  bool json = false;                                                ///< the same rows per metric as JSON
+  bool latex = false;                                               ///< tables for LaTeX instead of CSV
+  bool byte_order_mark = false;                                     ///< before CSV
+  results::DecimalMark decimal_mark = results::DecimalMark::Point;  ///< of CSV
   std::string against;               ///< AXIS=VALUE: rows that compare cells with those there
   std::vector<std::string> metrics;  ///< of these tables, events too; empty: those of the figures
 };
@@ -116,6 +126,7 @@ struct PlotOptions {
   std::vector<std::string> figures;  ///< names; empty: all
   results::FigureSpec asked;         ///< drawn instead of those of the study, if it names y
   bool no_bounds = false;            ///< leaves the bounds of metrics out
+  results::FigureView view;
 };
 int plot(const PlotOptions& options);
 

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <random>
+#include <string>
 #include <utility>
 
 #include "app/exit_code.hpp"
 #include "app/recomputation.hpp"
 #include "app/result_probe.hpp"
+#include "app/stop_text.hpp"
 #include "app/verbs.hpp"
 #include "results/schema/text.hpp"
 #include "results/store/result_file.hpp"
@@ -43,10 +45,13 @@ int verify(const VerifyOptions& options) {
     return Success;
   }
   const auto [digest, summary] = read_probed(options.result, [&] {
+    results::read_all_trials(options.result);
     return std::pair(results::data_digest(options.result), results::read_result(options.result));
   });
   fmt::print("data         {}, as written\n", digest);
   fmt::print("ledger       {}\n", results::completeness_text(summary));
+  if (const std::string reached = reached_text(summary, options.result); !reached.empty())
+    fmt::print("stop         {}\n", reached);
   if (options.blocks == 0) return Success;
   return recompute(options, results::read_result_ledger(options.result)) ? Success : Different;
 }

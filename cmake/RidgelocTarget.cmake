@@ -1,9 +1,8 @@
-# ridgeloc_configure(TARGET): what every target of the project shares.
+# ridgeloc_compile_options(TARGET): how every source of the project is compiled.
 #
 # Floating-point contraction is off everywhere: a fused multiply-add that the compiler chooses by itself
 # would make results depend on its version and on the optimization level.
-function(ridgeloc_configure target)
-  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+function(ridgeloc_compile_options target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
     -ffp-contract=off
@@ -21,6 +20,12 @@ function(ridgeloc_configure target)
   endif()
 endfunction()
 
+# ridgeloc_configure(TARGET): what every target of the project shares.
+function(ridgeloc_configure target)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  ridgeloc_compile_options(${target})
+endfunction()
+
 # ridgeloc_library(FOLDER SOURCES...): folder = target = namespace.
 function(ridgeloc_library folder)
   add_library(ridgeloc_${folder} STATIC ${ARGN})
@@ -28,10 +33,21 @@ function(ridgeloc_library folder)
   ridgeloc_configure(ridgeloc_${folder})
 endfunction()
 
-# ridgeloc_simd_kernels(TARGET SOURCE): compiles SOURCE into TARGET once per instruction set. Such a source
+# ridgeloc_precompile(TARGET): compiles what most of its sources include once, where that is asked for.
+function(ridgeloc_precompile target)
+  if(RIDGELOC_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} PRIVATE
+      <algorithm> <array> <chrono> <cmath> <cstddef> <cstdint> <filesystem> <fstream> <functional> <iterator> <limits>
+      <map> <memory> <optional> <ranges> <set> <span> <string> <string_view> <utility> <vector>
+      <fmt/format.h> <fmt/ranges.h>)
+  endif()
+endfunction()
+
+# ridgeloc_simd_kernels(TARGET SOURCE): compiles SOURCE into TARGET once per instruction set of RIDGELOC_ISAS. Such a source
 # instantiates kernels over the packs of core/pack.hpp and nothing else: what it shared with ordinary code would run
-# instructions that the processor may not have. Optimized in every build type, so that all of it is inlined; but for
-# sanitizers, whose checks keep compilers busy for many minutes in functions of this size.
+# instructions that the processor may not have. Optimized in every build type, so that all of it is inlined; less where the
+# time to compile counts more, and not at all for sanitizers, whose checks keep compilers busy for many minutes in
+# functions of this size.
 function(ridgeloc_simd_kernels target source)
   # The architecture first, so that flags which a user gives for the whole build do not change what a baseline is.
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
@@ -46,18 +62,17 @@ function(ridgeloc_simd_kernels target source)
     list(APPEND flags_avx512 -Wno-uninitialized -Wno-maybe-uninitialized)
     list(APPEND flags_avx512 -mmove-max=512 -mstore-max=512 -mprefer-vector-width=512 -fschedule-insns -fsched-pressure)
   endif()
-  set(isas baseline)
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    list(APPEND isas avx2 avx512)
-  endif()
   set(optimization -O3)
   if(RIDGELOC_SANITIZE)
     set(optimization -O0)
+  elseif(NOT RIDGELOC_SPECIALIZED_KERNELS)
+    set(optimization -O1)
   endif()
-  foreach(isa IN LISTS isas)
+  foreach(isa IN LISTS RIDGELOC_ISAS)
     set(objects ${target}_${isa})
     add_library(${objects} OBJECT ${source})
     target_include_directories(${objects} PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
+    target_compile_definitions(${objects} PRIVATE $<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>)
     ridgeloc_configure(${objects})
     target_link_libraries(${objects} PRIVATE ridgeloc::core)
     target_compile_options(${objects} PRIVATE ${optimization} ${flags_${isa}})

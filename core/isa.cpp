@@ -4,7 +4,9 @@
 
 namespace ridgeloc::core {
 
-bool is_supported(Isa isa) {
+namespace {
+
+bool processor_has(Isa isa) {
 #if defined(__x86_64__)
   switch (isa) {
     case Isa::Baseline:
@@ -15,10 +17,16 @@ bool is_supported(Isa isa) {
     case Isa::Avx512:
       return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512cd") != 0 &&
              __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-             __builtin_cpu_supports("avx512vl") != 0 && is_supported(Isa::Avx2);
+             __builtin_cpu_supports("avx512vl") != 0 && processor_has(Isa::Avx2);
   }
 #endif
   return isa == Isa::Baseline;
+}
+
+}  // namespace
+
+bool is_supported(Isa isa) {
+  return isa == Isa::Baseline || (has_kernels(isa) && processor_has(isa));
 }
 
 Isa best_isa() {

@@ -121,12 +121,14 @@ template <class Real, std::size_t P>
   return a;
 }
 
-/// Whether |det A| <= P eps |A|^P, with |A|^P read as the product of the row norms: Hadamard's bound on |det A|.
-/// Scaling a row scales both sides, so that a ridge of 10^16 in one component, which makes a matrix no harder to solve,
-/// does not make it singular.
+/// Whether |det A| <= max(P, terms) eps |A|^P, with |A|^P read as the product of the row norms: Hadamard's bound on
+/// |det A|. Scaling a row scales both sides, so that a ridge of 10^16 in one component, which makes a matrix no harder
+/// to solve, does not make it singular. Elements that are sums of many `terms`, as those of J'WJ over n observations,
+/// are off by as many roundings: without them a thousand observations of rank P - 1 pass for regular.
 template <class Real, std::size_t P>
-[[gnu::always_inline]] inline Mask<Real> is_singular(const Symmetric<Real, P>& a, const Real& determinant) {
-  constexpr double threshold = static_cast<double>(P) * std::numeric_limits<double>::epsilon();
+[[gnu::always_inline]] inline Mask<Real> is_singular(const Symmetric<Real, P>& a, const Real& determinant,
+                                                     std::size_t terms) {
+  const double threshold = static_cast<double>(terms < P ? P : terms) * std::numeric_limits<double>::epsilon();
   Real bound(threshold * threshold);
   unroll<P>(
       [](auto i, Real& product, const auto& m) __attribute__((always_inline)) {
@@ -152,13 +154,13 @@ struct Adjugate {
 };
 
 template <class Real>
-[[gnu::always_inline]] inline Adjugate<Real> adjugate(const Symmetric<Real, 3>& a) {
+[[gnu::always_inline]] inline Adjugate<Real> adjugate(const Symmetric<Real, 3>& a, std::size_t terms = 3) {
   const Symmetric<Real, 3> c{
       {neg_mul_add(a(1, 2), a(1, 2), a(1, 1) * a(2, 2)), neg_mul_add(a(0, 1), a(2, 2), a(0, 2) * a(1, 2)),
        neg_mul_add(a(0, 2), a(1, 1), a(0, 1) * a(1, 2)), neg_mul_add(a(0, 2), a(0, 2), a(0, 0) * a(2, 2)),
        neg_mul_add(a(0, 0), a(1, 2), a(0, 1) * a(0, 2)), neg_mul_add(a(0, 1), a(0, 1), a(0, 0) * a(1, 1))}};
   const Real determinant = dot(row(a, 0), row(c, 0));
-  return {c, determinant, is_singular(a, determinant)};
+  return {c, determinant, is_singular(a, determinant, terms)};
 }
 
 /// A = L D L', L with a unit diagonal. An exact zero among leading minors makes it singular: an indefinite matrix may
@@ -171,7 +173,7 @@ struct Factorization {
 };
 
 template <class Real, std::size_t P>
-[[gnu::always_inline]] inline Factorization<Real, P> factorize(const Symmetric<Real, P>& a) {
+[[gnu::always_inline]] inline Factorization<Real, P> factorize(const Symmetric<Real, P>& a, std::size_t terms = P) {
   Symmetric<Real, P> rest = a;
   Factorization<Real, P> f;
   Real determinant(1.0);
@@ -186,7 +188,7 @@ template <class Real, std::size_t P>
       f.unit_upper(k, i) = factor;
     });
   });
-  f.singular = is_singular(a, determinant);
+  f.singular = is_singular(a, determinant, terms);
   return f;
 }
 
@@ -203,21 +205,43 @@ template <class Real, std::size_t P>
   return b;
 }
 
+/// The diagonal of A^-1 = L^-T D^-1 L^-1.
+template <class Real, std::size_t P>
+Vector<Real, P> inverse_diagonal(const Factorization<Real, P>& f) {
+  return make_vector<P>([&](auto i) {
+    Vector<Real, P> column;  // column i of L^-1, from row i on
+    column[i] = Real(1.0);
+    Real sum = f.inverse_pivot[i];
+    unroll<P - 1 - i>([&](auto m) {
+      constexpr std::size_t k = i + 1 + m;
+      column[k] = -f.unit_upper(i, k);
+      unroll<m>([&](auto o) {
+        constexpr std::size_t between = i + 1 + o;
+        column[k] = neg_mul_add(f.unit_upper(between, k), column[between], column[k]);
+      });
+      sum = mul_add(column[k] * column[k], f.inverse_pivot[k], sum);
+    });
+    return sum;
+  });
+}
+
 template <class Real, std::size_t P>
 struct LinearSolution {
   Vector<Real, P> x;
   Mask<Real> singular;
 };
 
-/// x = A^-1 b, three unknowns by the adjugate. Where A is not finite, x is not finite and `singular` is false.
+/// x = A^-1 b, three unknowns by the adjugate; `terms` as in is_singular. Where A is not finite, x is not finite and
+/// `singular` is false.
 template <class Real, std::size_t P>
-[[gnu::always_inline]] inline LinearSolution<Real, P> solve(const Symmetric<Real, P>& a, const Vector<Real, P>& b) {
+[[gnu::always_inline]] inline LinearSolution<Real, P> solve(const Symmetric<Real, P>& a, const Vector<Real, P>& b,
+                                                            std::size_t terms = P) {
   if constexpr (P == 3) {
-    const Adjugate<Real> c = adjugate(a);
+    const Adjugate<Real> c = adjugate(a, terms);
     const Real inverse = reciprocal(c.determinant);
     return {scale(inverse, multiply(c.matrix, b)), c.singular};
   } else {
-    const Factorization<Real, P> f = factorize(a);
+    const Factorization<Real, P> f = factorize(a, terms);
     return {solve(f, b), f.singular};
   }
 }

@@ -56,11 +56,11 @@ inline double neg_mul_add(double a, double b, double c) {
   return c - a * b;
 }
 
-/// Correctly rounded square root; in packs for 2^-1000 < x < 2^1000, for 0, infinity, negative numbers and NaN.
+/// Correctly rounded square root; in packs for 2^-960 < x < 2^1000, for 0, infinity, negative numbers and NaN.
 inline double sqrt(double x) {
   return std::sqrt(x);
 }
-/// Correctly rounded 1 / x, in packs within the same bounds of |x|; see core/refine.hpp for the one exception.
+/// Correctly rounded 1 / x; in packs for 2^-1000 < |x| < 2^1000, for 0, infinity and NaN.
 inline double reciprocal(double x) {
   return 1.0 / x;
 }

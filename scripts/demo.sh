@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Usage: scripts/demo.sh [OPTION OF 'ridgeloc run']...    for example: scripts/demo.sh --trials 100000
-# Installs what is missing, builds the program alone, runs the studies fig3a and fig3bcd and draws their four figures into
+# Installs what is missing, builds the program alone in the shortest time, runs the studies fig3a and fig3bcd and draws their four figures into
 # out/ as SVG and PDF.
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
@@ -10,9 +10,9 @@ if [[ "${1:-}" == -h || "${1:-}" == --help ]]; then
   exit 0
 fi
 
-"$root/scripts/build.sh" >&2
+"$root/scripts/build.sh" --quick >&2
 
-ridgeloc="$root/build/release/app/ridgeloc"
+ridgeloc="$root/build/quick/app/ridgeloc"
 out="$root/out"
 studies=(fig3a fig3bcd)
 figures=(fig3a fig3b fig3c fig3d)

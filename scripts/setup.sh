@@ -19,7 +19,7 @@ test_packages=(
   netcdf-bin r-base-core r-bioc-rhdf5
 )
 bench_packages=(ccache libbenchmark-dev libgsl-dev libcminpack-dev python3-scipy)
-fuzz_packages=(clang-19)
+fuzz_packages=(clang-19 libclang-rt-19-dev)
 # Other versions format otherwise.
 format_packages=(clang-format-14)
 

@@ -58,20 +58,23 @@ def read(path):
 
 
 def quantities(columns, label, rows):
-    """The four quantities of each column and in total, for one study: `rows` are its trials, by number of detections."""
+    """The four quantities of each column and in total, from some trials (`rows`, by number of detections).
+
+    The total is that of 80 photos of which each column has the paper's share, estimated from all trials of the column.
+    """
     success, error, convergence, iterations, located = [], [], [], [], []
     for detections, chosen in rows.items():
         photos = columns[detections, label]
         starts = columns[detections, "photo"]["start_count"][chosen].sum()
         found = photos["status"][chosen] == 0
-        located.append(found.sum())
+        located.append(PHOTOS[detections] * found.mean())
         success.append(100 * found.mean())
         convergence.append(100 * photos["converged_starts"][chosen].sum() / starts if starts else NONE)
         with_position = chosen[found]
         error.append(photos["error_m"][with_position].mean() if len(with_position) else NONE)
         iterations.append(photos["iterations"][with_position].mean() if len(with_position) else NONE)
     located = np.array(located, float)
-    photos_of = np.array([len(chosen) for chosen in rows.values()], float)
+    photos_of = np.array([PHOTOS[detections] for detections in rows], float)
 
     def weighted(values):
         known = located > 0
@@ -97,19 +100,14 @@ def main(path):
     print("| | detections | paper | ours | 95 % of studies of 80 photos | paper inside |")
     print("|---|---|---:|---:|---:|---|")
     for label in METHODS:
-        mixed = {d: whole[d][: size * n // 80] for d, n in PHOTOS.items()}
         ours = quantities(columns, label, whole)
-        total = quantities(columns, label, mixed)
         spread = [quantities(columns, label, part) for part in parts]
-        spread_total = [quantities(columns, label, {d: part[d][: max(1, len(part[d]) * PHOTOS[d] // 80)] for d in PHOTOS})
-                        for part in parts]
         drawn = [quantities(columns, label, study) for study in studies]
         for quantity in ["success %", "error m", "convergence %", "iterations"]:
             paper = PAPER.get((label, quantity))
             for i, name in enumerate([*map(str, PHOTOS), "total"]):
-                value = (total if name == "total" else ours)[quantity][i]
-                among = spread_total if name == "total" else spread
-                error = np.nanstd([s[quantity][i] for s in among], ddof=1) / np.sqrt(len(among))
+                value = ours[quantity][i]
+                error = np.nanstd([s[quantity][i] for s in spread], ddof=1) / np.sqrt(len(spread))
                 studies_values = np.array([s[quantity][i] for s in drawn], float)
                 known = studies_values[np.isfinite(studies_values)]
                 low, high = np.quantile(known, [0.025, 0.975])

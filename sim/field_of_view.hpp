@@ -9,6 +9,7 @@
 #include "core/problem.hpp"
 #include "core/random.hpp"
 #include "core/units.hpp"
+#include "sim/start_direction.hpp"
 
 namespace ridgeloc::sim {
 
@@ -63,12 +64,6 @@ Real depth(const FieldOfView& view, const Real& u) {
 }
 
 template <class Real>
-std::array<Real, 3> horizontal_unit_vector(const Real& u) {
-  const core::SinCos<Real> angle = core::sin_cos_turns(u);
-  return {angle.cos, angle.sin, Real(0.0)};
-}
-
-template <class Real>
 core::SinCos<Real> direction(const std::array<double, 2>& interval_deg, const Real& u) {
   return core::sin_cos_turns(
       interpolate<Real>({interval_deg[0] * core::turns_per_degree, interval_deg[1] * core::turns_per_degree}, u));
@@ -94,8 +89,7 @@ template <class Real = double>
       core::store_column(problems.position(j, 2), slot, Real(true_position_m[2]) + d * elevation.sin);
     }
     const auto u = core::uniform_pair<Real>(streams.start.block(trial, Words(0U)));
-    const std::array<Real, 3> offset =
-        view.start_at_height ? detail::horizontal_unit_vector(u[1]) : core::unit_vector(u);
+    const std::array<Real, 3> offset = start_direction<Real>(view.start_at_height, u);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       core::store_column(problems.start(axis), slot,
                          core::mul_add(Real(view.start_offset_m), offset[axis], Real(true_position_m[axis])));

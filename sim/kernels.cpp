@@ -3,11 +3,18 @@
 namespace ridgeloc::sim {
 
 Kernels kernels(core::Isa isa) {
-#if defined(__x86_64__)
-  if (isa == core::Isa::Avx512) return kernels<core::Isa::Avx512>();
-  if (isa == core::Isa::Avx2) return kernels<core::Isa::Avx2>();
-#endif
-  return kernels<core::Isa::Baseline>();
+  using core::Isa;
+  if constexpr (core::has_kernels(Isa::Avx512)) {
+    if (isa == Isa::Avx512) return kernels<Isa::Avx512>();
+  }
+  if constexpr (core::has_kernels(Isa::Avx2)) {
+    if (isa == Isa::Avx2) return kernels<Isa::Avx2>();
+  }
+  if constexpr (core::has_kernels(Isa::Baseline)) {
+    return kernels<Isa::Baseline>();
+  } else {
+    return kernels_over<double>();
+  }
 }
 
 }  // namespace ridgeloc::sim

@@ -34,8 +34,11 @@ bool Coverage::contains(std::uint64_t block, std::uint64_t trials) const {
   return found != shorter_.end() && found->second >= trials;
 }
 
-std::uint64_t Coverage::unbroken() const {
-  return whole_.empty() || whole_.begin()->first > 0 ? 0 : whole_.begin()->second;
+std::uint64_t Coverage::unbroken(std::uint64_t trials, std::uint64_t block_trials) const {
+  const std::uint64_t whole = whole_.empty() || whole_.begin()->first > 0 ? 0 : whole_.begin()->second;
+  const std::uint64_t rest = trials % block_trials;
+  const bool has_rest = rest > 0 && whole == trials / block_trials && contains(whole, rest);
+  return has_rest ? whole + 1 : whole;
 }
 
 std::uint64_t Coverage::end() const {

@@ -14,8 +14,9 @@ class Coverage {
   /// Whether the block is there with at least that many trials.
   bool contains(std::uint64_t block, std::uint64_t trials) const;
 
-  /// How many whole blocks there are from the first on without a gap.
-  std::uint64_t unbroken() const;
+  /// How many of the blocks that `trials` trials make are there from the first on without a gap, the last one with what
+  /// is left for it; more if there are more whole ones.
+  std::uint64_t unbroken(std::uint64_t trials, std::uint64_t block_trials) const;
   /// One past the last block.
   std::uint64_t end() const;
 

@@ -13,7 +13,7 @@ namespace {
 std::size_t bytes_of(const Row& row) {
   std::size_t bytes = sizeof(Row) + sizeof(std::uint64_t) * (row.digests.size() + row.statistics.events.size());
   for (const MetricStatistics& metric : row.statistics.metrics)
-    bytes += sizeof(MetricStatistics) + sizeof(std::uint64_t) * metric.histogram.counts().size();
+    bytes += sizeof(MetricStatistics) + sizeof(Histogram::Bin) * metric.histogram.bins().size();
   return bytes;
 }
 

@@ -97,8 +97,9 @@ void FigureBounds::finish(FigureData& data) const {
     if (line.groups.size() == 1 && data.groups.size() > 1) bound.group = *line.groups.begin();
     const std::string of = bound.group || line.label.empty() ? "" : fmt::format(" ({})", line.label);
     const bool is_bound = key.kind != BoundKind::None;
-    const std::string text = is_bound ? fmt::format("bound, {}{}", statistic_text(key.kind, has_bands), of)
-                                      : "expected, with 95 % of the means";
+    const std::string text =
+        is_bound ? fmt::format("bound of unbiased estimates, {}{}", statistic_text(key.kind, has_bands), of)
+                 : "expected, with 95 % of the means";
     const auto [entry, is_new] = entries.try_emplace(text, data.bounds.size());
     if (is_new) data.bounds.push_back(text);
     bound.entry = entry->second;
@@ -112,8 +113,8 @@ void FigureBounds::finish(FigureData& data) const {
       data.footnote += fmt::format("; expected: chi-square with {} degrees of freedom", info.chi_square);
       continue;
     }
-    data.footnote +=
-        fmt::format("; bound, of root mean squares: {}", info.description.empty() ? info.name : info.description);
+    data.footnote += fmt::format("; bound of unbiased estimates, of their root mean squares: {}",
+                                 info.description.empty() ? info.name : info.description);
   }
 }
 

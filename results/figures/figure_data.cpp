@@ -13,6 +13,7 @@
 #include "results/figures/figure_bounds.hpp"
 #include "results/figures/figure_distribution.hpp"
 #include "results/figures/figure_names.hpp"
+#include "results/figures/figure_points.hpp"
 #include "results/figures/figure_texts.hpp"
 #include "results/schema/text.hpp"
 #include "results/summary/alarm.hpp"
@@ -25,11 +26,11 @@ using Quantity = FigureNames::Quantity;
 using Statistic = FigureNames::Statistic;
 constexpr std::size_t method_dimension = FigureNames::method_dimension;
 
-/// Of a median; that of a mean stands in its row.
-constexpr std::uint64_t fewest_for_median = 10;
-
 /// Bands of more lines in a panel would hide each other.
 constexpr std::size_t most_bands = 3;
+
+/// More lines in a panel cannot be told apart.
+constexpr std::size_t most_lines = 30;
 
 std::optional<double> number(const FactorValue& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
@@ -49,30 +50,36 @@ std::vector<double> positions(const Axis& axis) {
   return result;
 }
 
+bool is_positive(const Axis& axis) {
+  return std::ranges::all_of(axis.values, [](const FactorValue& value) {
+    const auto x = number(value);
+    return x && *x > 0.0;
+  });
+}
+
 bool spans_decades(const Axis& axis) {
   double low = std::numeric_limits<double>::infinity();
   double high = 0.0;
   for (const FactorValue& value : axis.values) {
     const auto x = number(value);
-    if (!x || *x <= 0.0) return false;
-    low = std::min(low, *x);
-    high = std::max(high, *x);
+    low = std::min(low, x.value_or(0.0));
+    high = std::max(high, x.value_or(0.0));
   }
-  return axis.values.size() > 2 && high >= 100.0 * low;
+  return is_positive(axis) && axis.values.size() > 2 && high >= 100.0 * low;
 }
 
-FigurePoint point_of(const SummaryRow& row, const Quantity& quantity, double x) {
-  if (quantity.statistic == Statistic::Median) return {x, row.p50, row.p50_lo, row.p50_hi, row.n >= fewest_for_median};
-  if (quantity.statistic == Statistic::RootMeanSquare) return {x, row.rms, row.rms_lo, row.rms_hi, row.trusted};
-  return {x, row.mean, row.lo, row.hi, row.trusted};
+/// A picture of a run that goes on is not to be taken for its result.
+std::string marked_incomplete(const std::string& title) {
+  return fmt::format("{}{}incomplete: the run has not come to its end", title, title.empty() ? "" : "; ");
 }
 
 class Builder {
  public:
-  Builder(const Summary& summary, const FigureSpec& spec)
+  Builder(const Summary& summary, const FigureSpec& spec, const FigureView& view)
       : summary_(summary),
         header_(summary.header),
         spec_(spec),
+        view_(view),
         names_(resolve_figure_names(summary.header, spec)),
         bounds_(summary, spec, names_) {
     for (SummaryRow& row : summary_rows(summary)) {
@@ -82,13 +89,14 @@ class Builder {
       }
     }
     group_by_method_if_needed();
+    share_scales();
   }
 
   FigureData build() {
     FigureData data;
-    data.title = spec_.title;
+    data.view = view_;
+    data.title = summary_.is_sealed ? spec_.title : marked_incomplete(spec_.title);
     data.conditions = conditions();
-    data.log_y = spec_.log_y;
     if (names_.x) {
       place_axis(data, header_.axes[*names_.x]);
     } else if (!rows_.empty()) {
@@ -105,6 +113,7 @@ class Builder {
           fmt::format("figure '{}': none of its methods reports {}; `ridgeloc summary` lists what there is", spec_.name,
                       spec_.y.front()));
     }
+    refuse_crowd(data);
     finish(data);
     return data;
   }
@@ -114,12 +123,33 @@ class Builder {
 
   void place_axis(FigureData& data, const Axis& axis) {
     data.x_label = axis_label(axis);
-    data.log_x = spans_decades(axis);
+    data.log_x = view_.log_x || spans_decades(axis);
+    if (data.log_x && !is_positive(axis)) {
+      throw core::InputError(
+          fmt::format("figure '{}': --log-x needs an axis of numbers above 0, and {} is none", spec_.name, axis.name));
+    }
     x_ = positions(axis);
     for (const std::size_t i : drawn_values(*names_.x)) data.x_ticks.push_back({x_[i], factor_text(axis.values[i])});
-    data.y_label = quantities_label(names_.y);
-    data.metrics = quantity_texts(names_.y);
+    for (const std::vector<Quantity>& scale : scales_) {
+      // Beside other quantities rates are not to be told from their logarithms.
+      const bool log = spec_.log_y && (scales_.size() == 1 || scale.front().statistic != Statistic::Rate);
+      data.scales.push_back({scale_label(scale), log});
+    }
+    data.metrics = has_metric_legend() ? quantity_texts(names_.y) : std::vector<std::string>{""};
   }
+
+  /// Sorts the quantities by the vertical axes that they have.
+  void share_scales() {
+    for (const Quantity& quantity : names_.y) {
+      const auto fits = [&](const std::vector<Quantity>& scale) { return share_scale(scale.front(), quantity); };
+      auto scale = std::ranges::find_if(scales_, fits);
+      if (scale == scales_.end()) scale = scales_.insert(scale, std::vector<Quantity>{});
+      scale->push_back(quantity);
+      scale_of_.push_back(static_cast<std::size_t>(scale - scales_.begin()));
+    }
+  }
+
+  bool has_metric_legend() const { return scales_.size() < names_.y.size(); }
 
   void place_distribution(FigureData& data) {
     const Quantity& quantity = names_.y.front();
@@ -135,7 +165,7 @@ class Builder {
     }
     distribution_.emplace(names_.kind, info.whole_numbers, histograms);
     data.x_label = with_unit(description_of(quantity), quantity.unit);
-    data.y_label = distribution_->y_label();
+    data.scales = {{distribution_->y_label(), spec_.log_y}};
     data.log_x = true;
     data.x_ticks = distribution_->ticks();
     data.metrics = {""};
@@ -228,14 +258,21 @@ class Builder {
     return entry->second;
   }
 
+  /// The panel of a facet and a scale; the scales of a facet stand beside each other.
+  FigurePanel& panel_of(FigureData& data, std::size_t facet, std::size_t scale) const {
+    while (data.panels.size() <= facet * scales_.size() + scale)
+      data.panels.push_back({facet_labels_[data.panels.size() / scales_.size()], data.panels.size() % scales_.size()});
+    return data.panels[facet * scales_.size() + scale];
+  }
+
   void add(FigureData& data, std::size_t metric, const SummaryRow& row) {
     const std::size_t group = enter(groups_, data.groups, names_.group, key(row, names_.group));
     const std::size_t facet = enter(facets_, facet_labels_, names_.facet, key(row, names_.facet));
-    if (facet == data.panels.size()) data.panels.push_back({facet_labels_[facet], {}});
-    std::vector<FigureLine>& lines = data.panels[facet].lines;
+    std::vector<FigureLine>& lines = panel_of(data, facet, scale_of_[metric]).lines;
+    const std::size_t entry = has_metric_legend() ? metric : 0;
     auto line = std::find_if(lines.begin(), lines.end(),
-                             [&](const FigureLine& l) { return l.group == group && l.metric == metric; });
-    if (line == lines.end()) line = lines.insert(lines.end(), FigureLine{group, metric, {}});
+                             [&](const FigureLine& l) { return l.group == group && l.metric == entry; });
+    if (line == lines.end()) line = lines.insert(lines.end(), FigureLine{group, entry, {}});
 
     const std::size_t x_index = names_.x ? header_.cells[row.cell].indices[*names_.x] : 0;
     if (!occupied_.insert({Key{facet, group, metric, x_index}, row.cell}).second) refuse_overlap(row);
@@ -244,15 +281,36 @@ class Builder {
       line->points = distribution_->points(histogram_of(row));
       largest_share_outside_ = std::max(largest_share_outside_, distribution_->share_outside(histogram_of(row)));
     } else {
-      const FigurePoint point = point_of(row, names_.y[metric], x_[x_index]);
+      const Quantity& quantity = names_.y[metric];
+      const bool has_histogram = quantity.statistic == Statistic::Quantile && row.n > 0;
+      const FigurePoint point =
+          figure_point(row, has_histogram ? histogram_of(row) : Histogram(), quantity, x_[x_index]);
       if (std::isnan(point.y)) return;
       line->points.push_back(point);
       const Key axes = axes_of_group();
       const Key values = key(row, axes);
-      bounds_.add(row, {facet, group, metric, point.x, values, label(axes, values)});
+      bounds_.add(row,
+                  {facet * scales_.size() + scale_of_[metric], group, metric, point.x, values, label(axes, values)});
     }
     fewest_trials_ = std::min(fewest_trials_, row.n);
     most_trials_ = std::max(most_trials_, row.n);
+    if (const std::uint64_t all = summary_.of(row.cell, row.method).trials; all > 0)
+      smallest_share_ = std::min(smallest_share_, static_cast<double>(row.n) / static_cast<double>(all));
+  }
+
+  void refuse_crowd(const FigureData& data) const {
+    for (const FigurePanel& panel : data.panels) {
+      if (panel.lines.size() <= most_lines) continue;
+      std::string axes;
+      for (const std::size_t dimension : names_.group) {
+        axes += (axes.empty() ? "" : ", ");
+        axes += dimension == method_dimension ? "method" : header_.axes[dimension].name;
+      }
+      throw core::InputError(fmt::format(
+          "figure '{}': {} lines in one panel cannot be told apart (at most {}); give one of {} a panel for each value "
+          "(facet), or show fewer (where, methods)",
+          spec_.name, panel.lines.size(), most_lines, axes));
+    }
   }
 
   [[noreturn]] void refuse_overlap(const SummaryRow& row) const {
@@ -292,7 +350,11 @@ class Builder {
     const std::string trials = fewest_trials_ >= most_trials_ ? fmt::format("{}", most_trials_)
                                                               : fmt::format("{} to {}", fewest_trials_, most_trials_);
     if (!distribution_) {
-      return trials + " trials per point; bars: 95 % intervals; points share trials and are not independent";
+      const std::string share = smallest_share_ < 1.0
+                                    ? fmt::format(" ({:.2g} % or more of those that were run)", 100.0 * smallest_share_)
+                                    : "";
+      return fmt::format("{} trials per point{}; bars: 95 % intervals; points share trials and are not independent",
+                         trials, share);
     }
     std::string text = trials + " values per line";
     if (style == FigureStyle::Bands) text += "; bands: 95 % intervals at each place";
@@ -305,9 +367,12 @@ class Builder {
   const Summary& summary_;
   const Header& header_;
   const FigureSpec& spec_;
+  const FigureView& view_;
   FigureNames names_;
   FigureBounds bounds_;
   std::vector<std::pair<std::size_t, SummaryRow>> rows_;  ///< index into y, row
+  std::vector<std::vector<Quantity>> scales_;             ///< quantities by the axis that they share
+  std::vector<std::size_t> scale_of_;                     ///< per index into y
   std::vector<double> x_;
   std::optional<FigureDistribution> distribution_;
   double largest_share_outside_ = 0.0;
@@ -317,13 +382,14 @@ class Builder {
   std::map<Key, std::size_t> occupied_;
   std::uint64_t fewest_trials_ = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t most_trials_ = 0;
+  double smallest_share_ = 1.0;  ///< of the trials that were run, in the population of a point
 };
 
 }  // namespace
 
-FigureData figure_data(const Summary& summary, const FigureSpec& spec) {
+FigureData figure_data(const Summary& summary, const FigureSpec& spec, const FigureView& view) {
   const Summary wider = with_ratios(summary);
-  return Builder(wider, spec).build();
+  return Builder(wider, spec, view).build();
 }
 
 }  // namespace ridgeloc::results

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "results/schema/text.hpp"
 #include "results/statistics/interval.hpp"
 
 namespace ridgeloc::results {
@@ -14,13 +15,9 @@ namespace {
 constexpr double low_quantile = 0.001;
 constexpr double high_quantile = 0.999;
 
-/// The bins that hold single values are those between the first and the last one.
-constexpr std::uint32_t first_inner = 1;
-constexpr std::uint32_t last_inner = Histogram::bins - 2;
-
-std::uint64_t count_in(const Histogram& histogram, std::uint32_t bin) {
-  const bool stored = bin >= histogram.first_bin() && bin - histogram.first_bin() < histogram.counts().size();
-  return stored ? histogram.counts()[bin - histogram.first_bin()] : 0;
+/// Whether the values of a bin are above zero and finite.
+bool is_inner(std::uint32_t bin) {
+  return bin > 0 && bin < Histogram::infinite_bin;
 }
 
 struct Range {
@@ -31,8 +28,8 @@ struct Range {
 /// From the low to the high quantile; where these are zero or infinite, from the first to the last value that is not.
 Range range_of(const Histogram& histogram) {
   Range range;
-  for (std::uint32_t bin = first_inner; bin <= last_inner; ++bin) {
-    if (count_in(histogram, bin) == 0) continue;
+  for (const auto& [bin, count] : histogram.bins()) {
+    if (!is_inner(bin)) continue;
     range.low = std::min(range.low, Histogram::lower_edge(bin));
     range.high = Histogram::lower_edge(bin + 1);
   }
@@ -48,8 +45,7 @@ std::vector<double> preferred_numbers(double low, double high) {
   const int first = static_cast<int>(std::floor(std::log10(low)));
   for (int power = first; numbers.empty() || numbers.back() < high; ++power) {
     for (const int digit : {1, 2, 5}) {
-      // From text, so that 0.2 is 0.2.
-      const double value = std::stod(fmt::format("{}e{}", digit, power));
+      const double value = decimal_number(digit, power);
       if (value <= low) numbers.clear();
       if (numbers.empty() || numbers.back() < high) numbers.push_back(value);
     }
@@ -123,13 +119,13 @@ std::vector<FigurePoint> FigureDistribution::cumulative(const Histogram& histogr
     const Interval interval = wilson_interval(below, total);
     points.push_back({x, static_cast<double>(below) / static_cast<double>(total), interval.lo, interval.hi});
   };
-  std::uint64_t below = count_in(histogram, 0);
-  for (std::uint32_t bin = first_inner; bin <= last_inner && Histogram::lower_edge(bin) < high_; ++bin) {
-    const std::uint64_t count = count_in(histogram, bin);
+  std::uint64_t below = 0;
+  for (const auto& [bin, count] : histogram.bins()) {
+    if (Histogram::lower_edge(bin) >= high_) break;
     const WholeNumbers whole = whole_numbers_in(bin);
     const double left = whole_numbers_ ? whole.first : Histogram::lower_edge(bin);
     const double right = whole_numbers_ ? std::max(whole.first, whole.end - 1.0) : Histogram::lower_edge(bin + 1);
-    if (count > 0 && left >= low_ && right <= high_) {
+    if (is_inner(bin) && left >= low_ && right <= high_) {
       if (points.empty()) add(low_, below);
       if (points.back().x < left || whole_numbers_) add(left, below);
       add(right, below + count);
@@ -145,14 +141,16 @@ std::vector<FigurePoint> FigureDistribution::density(const Histogram& histogram)
   std::vector<FigurePoint> points;
   const auto add = [&](double x, double y) { points.push_back({x, y, y, y}); };
   const std::uint32_t step = whole_numbers_ ? 1 : joined_;
-  for (std::uint32_t bin = first_inner; bin + step - 1 <= last_inner; bin += step) {
+  // Octaves begin at multiples of the number of their bins, which `step` divides.
+  for (std::uint32_t bin = Histogram::bin_of(low_) / step * step; bin < Histogram::infinite_bin; bin += step) {
     const WholeNumbers whole = whole_numbers_in(bin);
     if (whole_numbers_ && whole.first == whole.end) continue;
     const double left = whole_numbers_ ? whole.first - 0.5 : Histogram::lower_edge(bin);
     const double right = whole_numbers_ ? whole.end - 0.5 : Histogram::lower_edge(bin + step);
-    if (right <= low_ || left >= high_) continue;
+    if (right <= low_) continue;
+    if (left >= high_) break;
     std::uint64_t count = 0;
-    for (std::uint32_t i = 0; i < step; ++i) count += count_in(histogram, bin + i);
+    for (std::uint32_t i = 0; i < step; ++i) count += histogram.count_in(bin + i);
     const double width = whole_numbers_ ? right - left : std::log2(right / left);
     const double height = static_cast<double>(count) / total / width;
     add(std::max(left, low_), height);
@@ -163,8 +161,8 @@ std::vector<FigurePoint> FigureDistribution::density(const Histogram& histogram)
 
 double FigureDistribution::share_outside(const Histogram& histogram) const {
   std::uint64_t inside = 0;
-  for (std::uint32_t bin = first_inner; bin <= last_inner; ++bin) {
-    if (Histogram::lower_edge(bin + 1) > low_ && Histogram::lower_edge(bin) < high_) inside += count_in(histogram, bin);
+  for (const auto& [bin, count] : histogram.bins()) {
+    if (is_inner(bin) && Histogram::lower_edge(bin + 1) > low_ && Histogram::lower_edge(bin) < high_) inside += count;
   }
   return 1.0 - static_cast<double>(inside) / static_cast<double>(histogram.total());
 }

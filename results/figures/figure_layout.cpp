@@ -6,164 +6,190 @@
 #include <cmath>
 #include <limits>
 
+#include "core/error.hpp"
+#include "results/figures/figure_axes.hpp"
 #include "results/schema/text.hpp"
 
 namespace ridgeloc::results {
 namespace {
 
+constexpr double column_width = 85.0;
 constexpr double single_panel_height = 50.0;
 constexpr double stacked_panel_height = 38.0;
+constexpr double smallest_panel_height = 15.0;
+constexpr double smallest_panel_width = 20.0;
 constexpr double between_panels = 3.0;
+constexpr double between_columns = 2.0;
+constexpr double x_axis_height = 6.6;  ///< from the lowest panel to the label of the axis
+constexpr double footnote_distance = 4.6;
 
 /// Puts entries below `y`; returns where the next line goes. Of groups and metrics a single one needs none.
 double place_legend(const std::vector<std::string>& texts, LegendEntry::Kind kind, double y, FigureLayout& layout) {
   if (texts.size() < 2 && kind != LegendEntry::Kind::Bound) return y;
-  const LegendGrid grid = legend_grid(texts, y, FigureLayout::width);
+  const LegendGrid grid = legend_grid(texts, y, layout.page.width);
   for (std::size_t i = 0; i < texts.size(); ++i) {
     layout.legend.push_back({grid.places[i].x, grid.places[i].y, kind, i});
   }
   return grid.end;
 }
 
-double place_panels(const FigureData& data, double y, FigureLayout& layout) {
-  const bool several = data.panels.size() > 1;
-  for (const FigurePanel& panel : data.panels) {
-    PanelLayout place;
-    if (!panel.label.empty()) {
-      place.label_y = y + 1.0;
-      y += PageStyle::line_height;
-    }
-    place.top = y;
-    place.bottom = y + (several ? stacked_panel_height : single_panel_height);
-    y = place.bottom + between_panels;
-    layout.panels.push_back(place);
-  }
-  return y - between_panels;
-}
-
-std::size_t line_count(const FigureData& data) {
-  return data.groups.size() * data.metrics.size();
-}
-
-/// Sets the x axis and the sideways step between lines.
-void place_x(const FigureData& data, FigureLayout& layout) {
-  const auto scaled = [&](const FigureTick& tick) { return data.log_x ? std::log10(tick.position) : tick.position; };
-  const double low = scaled(data.x_ticks.front());
-  const double high = scaled(data.x_ticks.back());
-  const double span = high > low ? high - low : 1.0;
-  double spacing = span;
-  for (std::size_t i = 1; i < data.x_ticks.size(); ++i) {
-    spacing = std::min(spacing, scaled(data.x_ticks[i]) - scaled(data.x_ticks[i - 1]));
-  }
-  // Marks are about 2 % of the axis wide; all lines together keep within 0.6 of the distance of two values.
-  const double lines = static_cast<double>(line_count(data));
-  layout.dodge = data.style == FigureStyle::Marks ? std::min(0.02 * span, 0.6 * spacing / lines) : 0.0;
-  const double padding = 0.04 * span + 0.5 * layout.dodge * (lines - 1.0);
-  layout.x = {low - padding, high + padding};
-  if (data.log_x) layout.x = {std::pow(10.0, layout.x.low), std::pow(10.0, layout.x.high)};
-}
-
-AxisRange linear_range(AxisRange range) {
-  // Zero belongs to the axis where it is near: heights can then be compared as they look.
-  if (range.low > 0.0 && range.low < 0.4 * range.high) range.low = 0.0;
-  const double span = range.high - range.low;
-  const double padding = span > 0.0 ? 0.06 * span : std::max(0.1 * std::abs(range.high), 1e-3);
-  return {range.low == 0.0 ? 0.0 : range.low - padding, range.high + padding};
-}
-
-AxisRange y_range(const FigureData& data) {
-  AxisRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const FigurePanel& panel : data.panels) {
-    for (const FigureLine& line : panel.lines) {
-      for (const FigurePoint& point : line.points) {
-        if (!is_drawable(point, data.log_y)) continue;
-        // On a logarithmic axis a bar that reaches to zero would stretch the axis without end.
-        const double lo = data.log_y ? std::max(point.lo, point.y / 3.0) : point.lo;
-        range.low = std::min({range.low, point.y, std::isfinite(lo) ? lo : point.y});
-        range.high = std::max({range.high, point.y, std::isfinite(point.hi) ? point.hi : point.y});
-      }
-    }
-    for (const FigureBound& bound : panel.bounds) {
-      for (const FigurePoint& point : bound.points) {
-        if (!is_drawable(point, data.log_y)) continue;
-        const bool has_band = bound.has_band && is_drawable({point.x, point.lo}, data.log_y);
-        range.low = std::min(range.low, has_band ? point.lo : point.y);
-        range.high = std::max(range.high, bound.has_band && std::isfinite(point.hi) ? point.hi : point.y);
-      }
-    }
-  }
-  if (range.low > range.high) return data.log_y ? AxisRange{0.1, 1.0} : AxisRange{};
-  if (!data.log_y) return linear_range(range);
-  const double factor = std::max(std::pow(range.high / range.low, 0.06), 1.1);
-  return {range.low / factor, range.high * factor};
-}
-
 std::size_t digits_of(const std::string& number) {
   return number.size() - static_cast<std::size_t>(std::ranges::count(number, '.'));
 }
 
-/// For the labels of the vertical axis and its ticks; small shares on a logarithmic one are long.
-double label_width(const FigureData& data, const AxisRange& range) {
+/// For the tick labels of the vertical axis; small shares on a logarithmic one are long.
+double tick_width(bool log_y, const AxisRange& range) {
   constexpr std::size_t usual = 4;  // digits of "0.001", but for the narrow point
   constexpr double wide_digit = 2.0;
   std::size_t longest = usual;
-  if (data.log_y) {
-    for (int power = static_cast<int>(std::ceil(std::log10(range.low))); std::pow(10.0, power) <= range.high; ++power)
-      longest = std::max(longest, digits_of(fmt::format("{:g}", std::stod(fmt::format("1e{}", power)))));
+  if (log_y) {
+    for (const DecimalTick& tick : decimal_ticks(range)) {
+      if (tick.digit == 1) longest = std::max(longest, digits_of(fmt::format("{:g}", tick.value)));
+    }
   }
   return 11.0 + wide_digit * static_cast<double>(longest - usual);
 }
 
-/// Share of the axis, in [0, 1].
-double share(const AxisRange& range, bool logarithmic, double value) {
-  if (logarithmic) return std::log(value / range.low) / std::log(range.high / range.low);
-  return (value - range.low) / (range.high - range.low);
-}
-
 std::vector<FigureTick> spaced_ticks(const FigureData& data, const FigureLayout& layout) {
-  std::vector<FigureTick> ticks = data.x_ticks;
-  const double axis = FigureLayout::width - layout.left - PageStyle::right;
+  std::vector<FigureTick> ticks;
+  const double axis = layout.panels.front().right - layout.panels.front().left;
   double free_from = -std::numeric_limits<double>::infinity();
-  for (FigureTick& tick : ticks) {
-    if (tick.label.empty()) continue;
-    const double centre = axis * share(layout.x, data.log_x, tick.position);
+  for (FigureTick tick : data.x_ticks) {
+    const double share = share_of_axis(layout.x, data.log_x, tick.position);
+    if (share < 0.0 || share > 1.0) continue;
     const double half = 0.5 * small_character * static_cast<double>(display_width(tick.label));
-    if (centre - half < free_from) {
+    if (axis * share - half < free_from) {
       tick.label.clear();
-    } else {
-      free_from = centre + half + small_character;
+    } else if (!tick.label.empty()) {
+      free_from = axis * share + half + small_character;
     }
+    ticks.push_back(std::move(tick));
   }
   return ticks;
 }
 
-std::string footnote(const FigureData& data) {
+std::string counted(std::size_t points) {
+  return fmt::format("{} {}", points, points == 1 ? "point" : "points");
+}
+
+std::string footnote(const FigureData& data, const FigureLayout& layout) {
   if (data.style != FigureStyle::Marks) return data.footnote;
   std::size_t omitted = 0;
-  for (const FigurePanel& panel : data.panels) {
-    for (const FigureLine& line : panel.lines) {
-      for (const FigurePoint& point : line.points) omitted += is_drawable(point, data.log_y) ? 0 : 1;
+  std::size_t outside = 0;
+  bool any_log = false;
+  bool any_bound = false;
+  for (std::size_t i = 0; i < data.panels.size(); ++i) {
+    const AxisRange& y = layout.panels[i].y;
+    const bool log_y = data.scales[data.panels[i].scale].log;
+    any_log = any_log || log_y;
+    for (const FigureLine& line : data.panels[i].lines) {
+      for (const FigurePoint& point : line.points) {
+        const bool is_bound = log_y && point.never_seen;
+        const double height = is_bound ? point.hi : point.y;
+        if (!is_drawable(point, log_y)) {
+          ++omitted;
+        } else if (point.x < layout.x.low || point.x > layout.x.high || height < y.low || height > y.high) {
+          ++outside;
+        } else {
+          any_bound = any_bound || is_bound;
+        }
+      }
     }
   }
-  if (omitted == 0) return data.footnote;
-  return fmt::format("{}; {} {} not shown: infinite{}", data.footnote, omitted, omitted == 1 ? "point" : "points",
-                     data.log_y ? " or not positive" : "");
+  std::string text = data.footnote;
+  if (any_bound) text += "; open triangles: not seen once, the upper 95 % bound of the rate";
+  if (omitted > 0)
+    text += fmt::format("; {} not shown: infinite{}", counted(omitted), any_log ? " or not positive" : "");
+  if (outside > 0) text += fmt::format("; {} outside of the axes", counted(outside));
+  return text;
+}
+
+/// The grid of panels: how many columns and rows, and the room of each.
+struct Grid {
+  std::size_t columns = 1;
+  std::size_t rows = 1;
+  double side = 0.0;  ///< left of a panel's axes
+  double label_height = 0.0;
+  double panel_width = 0.0;
+  double panel_height = 0.0;
+};
+
+Grid grid_of(const FigureData& data) {
+  Grid grid;
+  const std::size_t wanted = data.view.columns == 0 ? data.scales.size() : data.view.columns;
+  grid.columns = std::min(wanted, data.panels.size());
+  grid.rows = (data.panels.size() + grid.columns - 1) / grid.columns;
+  grid.panel_height = data.panels.size() > 1 ? stacked_panel_height : single_panel_height;
+  const bool any_label = std::ranges::any_of(data.panels, [](const FigurePanel& p) { return !p.label.empty(); });
+  grid.label_height = any_label ? PageStyle::line_height : 0.0;
+  return grid;
+}
+
+/// Distance from a row of panels to the next.
+double row_height(const Grid& grid) {
+  return grid.label_height + grid.panel_height + between_panels;
+}
+
+/// From the top of the uppermost panels to the bottom of the lowest.
+double grid_height(const Grid& grid) {
+  return static_cast<double>(grid.rows) * row_height(grid) - between_panels;
+}
+
+/// The labels of the vertical axes, without their places: one for all panels that share a scale, else one for each.
+std::vector<std::vector<std::string>> side_lines(const FigureData& data, const Grid& grid) {
+  // The one label of all panels may reach beyond them by as much as the x axis below takes.
+  const double room = data.scales.size() > 1 ? grid.panel_height : grid_height(grid) + 10.0;
+  std::vector<std::vector<std::string>> lines;
+  for (const FigureScale& scale : data.scales) lines.push_back(wrapped(scale.label, characters(room, small_character)));
+  return lines;
+}
+
+void place_panels(const FigureData& data, const Grid& grid, double top, FigureLayout& layout) {
+  for (std::size_t i = 0; i < data.panels.size(); ++i) {
+    PanelLayout place;
+    const auto column = static_cast<double>(i % grid.columns);
+    const double y = top + static_cast<double>(i / grid.columns) * row_height(grid);
+    place.label_y = y + 1.0;
+    place.left = grid.side + column * (grid.panel_width + grid.side + between_columns);
+    place.right = place.left + grid.panel_width;
+    place.top = y + grid.label_height;
+    place.bottom = place.top + grid.panel_height;
+    place.y = vertical_range(data, data.panels[i].scale);
+    place.is_lowest = i + grid.columns >= data.panels.size();
+    layout.panels.push_back(place);
+  }
+}
+
+void place_side_labels(const FigureData& data, const Grid& grid, const std::vector<std::vector<std::string>>& lines,
+                       FigureLayout& layout) {
+  const double inside = PageStyle::edge + PageStyle::line_height / 2.0;
+  if (lines.size() == 1) {
+    const double middle = (layout.panels.front().top + layout.panels.back().bottom) / 2.0;
+    layout.y_labels.push_back({inside, middle, lines.front()});
+    return;
+  }
+  for (std::size_t i = 0; i < data.panels.size(); ++i) {
+    const PanelLayout& place = layout.panels[i];
+    layout.y_labels.push_back(
+        {place.left - grid.side + inside, (place.top + place.bottom) / 2.0, lines[data.panels[i].scale]});
+  }
+}
+
+[[noreturn]] void refuse_size(const Page& size, double width, double height) {
+  throw core::InputError(fmt::format(
+      "--size {:g}x{:g}: this figure needs at least {:.0f}x{:.0f} mm; a larger one, other --columns or fewer panels",
+      size.width, size.height, std::ceil(std::max(width, size.width)), std::ceil(std::max(height, size.height))));
 }
 
 }  // namespace
 
 FigureLayout figure_layout(const FigureData& data) {
   FigureLayout layout;
-  const double text_width = FigureLayout::width - 2.0 * PageStyle::edge;
+  Grid grid = grid_of(data);
+  layout.page.width = data.view.size ? data.view.size->width : column_width * static_cast<double>(grid.columns);
+  const double text_width = layout.page.width - 2.0 * PageStyle::edge;
   layout.title = wrapped(data.title, characters(text_width, title_character));
   layout.conditions = wrapped(data.conditions, characters(text_width, small_character));
-  const std::size_t panels = data.panels.size();
-  const double label_room = panels > 1 ? static_cast<double>(panels) * stacked_panel_height : single_panel_height;
-  // The label may reach beyond the panels by as much as the x axis below them takes.
-  layout.y_label = wrapped(data.y_label, characters(label_room + 10.0, small_character));
-  layout.y = y_range(data);
-  layout.left = label_width(data, layout.y) + PageStyle::line_height * static_cast<double>(layout.y_label.size());
-  layout.footnote = wrapped(footnote(data), characters(text_width, footnote_character));
 
   double y = PageStyle::edge + PageStyle::line_height / 2.0;
   layout.title_y = y;
@@ -176,37 +202,49 @@ FigureLayout figure_layout(const FigureData& data) {
   y = place_legend(data.groups, LegendEntry::Kind::Group, y, layout);
   y = place_legend(data.metrics, LegendEntry::Kind::Metric, y, layout);
   y = place_legend(data.bounds, LegendEntry::Kind::Bound, y, layout);
-  y = place_panels(data, y, layout);
-  layout.x_label_y = y + 6.6;
-  layout.footnote_y = layout.x_label_y + 4.6;
-  layout.height = layout.footnote_y + PageStyle::edge +
-                  (static_cast<double>(layout.footnote.size()) - 0.5) * PageStyle::footnote_line_height;
 
-  place_x(data, layout);
+  const auto lines = side_lines(data, grid);
+  for (std::size_t scale = 0; scale < data.scales.size(); ++scale) {
+    const double ticks = tick_width(data.scales[scale].log, vertical_range(data, scale));
+    grid.side = std::max(grid.side, ticks + PageStyle::line_height * static_cast<double>(lines[scale].size()));
+  }
+  const auto columns = static_cast<double>(grid.columns);
+  const double gaps = columns * grid.side + (columns - 1.0) * between_columns + PageStyle::right;
+  grid.panel_width = (layout.page.width - gaps) / columns;
+  layout.x = horizontal_range(data);
+  place_panels(data, grid, y, layout);
+  layout.footnote = wrapped(footnote(data, layout), characters(text_width, footnote_character));
+  const double below = x_axis_height + footnote_distance + PageStyle::edge +
+                       (static_cast<double>(layout.footnote.size()) - 0.5) * PageStyle::footnote_line_height;
+  if (data.view.size) {
+    const auto rows = static_cast<double>(grid.rows);
+    const double fixed = y + below + grid_height(grid) - rows * grid.panel_height;
+    grid.panel_height = (data.view.size->height - fixed) / rows;
+    if (grid.panel_width < smallest_panel_width || grid.panel_height < smallest_panel_height)
+      refuse_size(*data.view.size, gaps + columns * smallest_panel_width, fixed + rows * smallest_panel_height);
+    layout.panels.clear();
+    place_panels(data, grid, y, layout);
+  }
+  y += grid_height(grid);
+  place_side_labels(data, grid, lines, layout);
+  layout.x_label_x = (layout.panels.front().left + layout.page.width - PageStyle::right) / 2.0;
+  layout.x_label_y = y + x_axis_height;
+  layout.footnote_y = layout.x_label_y + footnote_distance;
+  layout.page.height = y + below;
   layout.ticks = spaced_ticks(data, layout);
   return layout;
 }
 
-bool is_drawable(const FigurePoint& point, bool log_y) {
-  return std::isfinite(point.y) && (!log_y || point.y > 0.0);
-}
-
-double dodged(const FigureData& data, const FigureLayout& layout, const FigureLine& line, double x) {
-  const double index = static_cast<double>(line.metric + line.group * data.metrics.size());
-  const double offset = layout.dodge * (index - 0.5 * static_cast<double>(line_count(data) - 1));
-  return data.log_x ? x * std::pow(10.0, offset) : x + offset;
-}
-
-std::vector<FigurePoint> drawn_bound(const FigureData& data, const FigureLayout& layout, const FigureBound& bound) {
+std::vector<FigurePoint> drawn_bound(const FigureData& data, const FigureLayout& layout, const FigureBound& bound,
+                                     bool log_y) {
   std::vector<FigurePoint> points;
   for (const FigurePoint& point : bound.points)
-    if (is_drawable(point, data.log_y)) points.push_back(point);
+    if (is_drawable(point, log_y)) points.push_back(point);
   if (points.size() != 1) return points;
   constexpr double reach = 0.02;
-  const auto moved = [&](double share) {
+  const auto moved = [&](double by) {
     FigurePoint point = points.front();
-    point.x = data.log_x ? point.x * std::pow(layout.x.high / layout.x.low, share)
-                         : point.x + share * (layout.x.high - layout.x.low);
+    point.x = value_on_axis(layout.x, data.log_x, share_of_axis(layout.x, data.log_x, point.x) + by);
     return point;
   };
   return {moved(-reach), moved(reach)};

@@ -10,8 +10,19 @@ namespace ridgeloc::results {
 
 struct PanelLayout {
   double label_y = 0.0;
+  double left = 0.0;  ///< ends of the axes
+  double right = 0.0;
   double top = 0.0;
   double bottom = 0.0;
+  AxisRange y;
+  bool is_lowest = false;  ///< of its column: the horizontal axis has its labels here
+};
+
+/// The label of vertical axes, from bottom to top.
+struct SideLabel {
+  double x = 0.0;  ///< of the first line
+  double y = 0.0;  ///< of the middle
+  std::vector<std::string> lines;
 };
 
 struct LegendEntry {
@@ -25,37 +36,30 @@ struct LegendEntry {
 
 /// Where everything stands on the page: millimetres from the upper left corner; texts by their middle line.
 struct FigureLayout {
-  static constexpr double width = 85.0;  ///< one column of a journal
-
-  double height = 0.0;
-  double left = 0.0;
+  Page page;
   double title_y = 0.0;
   double conditions_y = 0.0;
   double legend_title_y = 0.0;
+  double x_label_x = 0.0;
   double x_label_y = 0.0;
   double footnote_y = 0.0;
   std::vector<std::string> title;       ///< lines
   std::vector<std::string> conditions;  ///< lines
-  std::vector<std::string> y_label;     ///< lines
   std::vector<std::string> footnote;    ///< lines
+  std::vector<SideLabel> y_labels;
   std::vector<LegendEntry> legend;
   std::vector<PanelLayout> panels;
-  std::vector<FigureTick> ticks;  ///< labels are empty where there is no room
-  double dodge = 0.0;             ///< sideways step from line to line, in x (log x: in its decimal logarithm)
+  std::vector<FigureTick> ticks;  ///< within the axis; labels are empty where there is no room
   AxisRange x;
-  AxisRange y;
 };
 
+/// Panels stand in columns, row by row; a column is as wide as that of a journal, 85 mm, unless a size is asked for.
+/// Throws core::InputError for a size in which the panels have no room, and for limits that do not go with a
+/// logarithmic axis.
 FigureLayout figure_layout(const FigureData& data);
 
-/// Whether a point has a place on the page: finite, and positive on a logarithmic axis.
-bool is_drawable(const FigurePoint& point, bool log_y);
-
-/// x of a line's points, moved a little sideways so that error bars of different lines stand beside each
-/// other.
-double dodged(const FigureData& data, const FigureLayout& layout, const FigureLine& line, double x);
-
 /// The points of a bound; one that has a single point reaches a little to both sides of it, to be seen.
-std::vector<FigurePoint> drawn_bound(const FigureData& data, const FigureLayout& layout, const FigureBound& bound);
+std::vector<FigurePoint> drawn_bound(const FigureData& data, const FigureLayout& layout, const FigureBound& bound,
+                                     bool log_y);
 
 }  // namespace ridgeloc::results

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "core/edit_distance.hpp"
 #include "core/error.hpp"
@@ -47,11 +48,19 @@ std::size_t find_dimension(const Header& header, const FigureSpec& spec, std::st
   return index == header.axes.size() ? FigureNames::method_dimension : index;
 }
 
-FigureNames::Statistic statistic_of(const FigureSpec& spec, const MetricInfo& metric) {
+void choose_statistic(const FigureSpec& spec, const MetricInfo& metric, FigureNames::Quantity& quantity) {
   using enum FigureNames::Statistic;
-  if (metric.yes_no) return Rate;
-  if (spec.statistic.empty()) return metric.heavy_tailed ? Median : Mean;
-  return spec.statistic == "median" ? Median : spec.statistic == "rms" ? RootMeanSquare : Mean;
+  const std::string& name = spec.statistic;
+  if (metric.yes_no) {
+    quantity.statistic = Rate;
+  } else if (name.empty()) {
+    quantity.statistic = metric.heavy_tailed ? Median : Mean;
+  } else if (name.front() == 'p') {
+    quantity.statistic = Quantile;
+    std::from_chars(name.data() + 1, name.data() + name.size(), quantity.percent);
+  } else {
+    quantity.statistic = name == "median" ? Median : name == "rms" ? RootMeanSquare : Mean;
+  }
 }
 
 FigureNames::Quantity find_quantity(const Header& header, const FigureSpec& spec, const std::string& name) {
@@ -65,7 +74,9 @@ FigureNames::Quantity find_quantity(const Header& header, const FigureSpec& spec
     return {event.name, event.description, "1", FigureNames::Statistic::Rate};
   }
   const MetricInfo& metric = schema.metrics[index];
-  return {metric.name, metric.description, metric.unit, statistic_of(spec, metric)};
+  FigureNames::Quantity quantity{metric.name, metric.description, metric.unit};
+  choose_statistic(spec, metric, quantity);
+  return quantity;
 }
 
 /// In the order of `FigureNames::Kind`.
@@ -126,6 +137,12 @@ std::vector<bool> chosen_values(const FigureSpec& spec, const Axis& axis, const 
 
 }  // namespace
 
+const std::vector<std::string>& figure_statistics() {
+  static const std::vector<std::string> statistics = {"mean", "median", "rms", "p05", "p10",
+                                                      "p25",  "p75",    "p90", "p95", "p99"};
+  return statistics;
+}
+
 std::vector<bool> cells_of_figure(const Header& header, const FigureSpec& spec) {
   std::vector<bool> is_drawn(header.cells.size(), true);
   for (const auto& [name, texts] : spec.where) {
@@ -142,7 +159,7 @@ std::vector<bool> cells_of_figure(const Header& header, const FigureSpec& spec) 
 }
 
 FigureNames resolve_figure_names(const Header& header, const FigureSpec& spec) {
-  if (!spec.statistic.empty()) find_name(spec, "statistic", spec.statistic, {"mean", "median", "rms"});
+  if (!spec.statistic.empty()) find_name(spec, "statistic", spec.statistic, figure_statistics());
   if (spec.y.empty()) throw core::InputError(fmt::format("figure '{}': y names no metric", spec.name));
   FigureNames names;
   names.kind = static_cast<FigureNames::Kind>(find_name(spec, "kind", spec.kind, figure_kinds));

@@ -14,7 +14,7 @@ namespace ridgeloc::results {
 struct FigureNames {
   static constexpr std::size_t method_dimension = static_cast<std::size_t>(-1);
 
-  enum class Statistic { Mean, Median, RootMeanSquare, Rate, RatioOfMeans };
+  enum class Statistic { Mean, Median, Quantile, RootMeanSquare, Rate, RatioOfMeans };
   enum class Kind { Curve, Ecdf, Histogram };
 
   struct Quantity {
@@ -22,6 +22,7 @@ struct FigureNames {
     std::string description;
     std::string unit;
     Statistic statistic = Statistic::Mean;  ///< which one is drawn
+    unsigned percent = 50;                  ///< which quantile
   };
 
   Kind kind = Kind::Curve;
@@ -32,6 +33,9 @@ struct FigureNames {
   std::vector<std::size_t> methods;  ///< drawn methods
   std::vector<bool> is_drawn;        ///< per cell
 };
+
+/// What `FigureSpec::statistic` may be: "mean", "median", "rms", or a quantile in percent, "p95".
+const std::vector<std::string>& figure_statistics();
 
 /// Throws core::InputError for a name that does not exist (with the nearest ones that do), an unknown kind or
 /// statistic, what a distribution cannot have: an x, a statistic, or anything but one metric with other values than

@@ -16,10 +16,14 @@ std::string with_unit(const std::string& text, const std::string& unit);
 std::string axis_label(const Axis& axis);
 const std::string& description_of(const FigureNames::Quantity& quantity);
 
-/// The label of the vertical axis: of one quantity all that it is, of several what they have in common, if anything.
-std::string quantities_label(const std::vector<FigureNames::Quantity>& quantities);
+/// Whether two quantities belong on one vertical axis: unit and statistic are the same.
+bool share_scale(const FigureNames::Quantity& a, const FigureNames::Quantity& b);
 
-/// Legend texts that tell the quantities apart; one empty text where there is one only.
+/// The label of the vertical axis of quantities that share it: of one quantity all that it is, of several what they
+/// have in common.
+std::string scale_label(const std::vector<FigureNames::Quantity>& quantities);
+
+/// Legend texts that tell the quantities apart.
 std::vector<std::string> quantity_texts(const std::vector<FigureNames::Quantity>& quantities);
 
 }  // namespace ridgeloc::results

@@ -1,9 +1,13 @@
 #include "results/hdf5/hdf5.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <bit>
+#include <cerrno>
 #include <functional>
 #include <numeric>
 #include <span>
@@ -80,6 +84,24 @@ Handle make_creation_properties(const fs::path& file, const std::string& object,
   return properties;
 }
 
+/// Opens a dataset to read it. Throws core::InputError if its values lie in another file.
+Handle open_dataset(hid_t file, const fs::path& name, const std::string& path) {
+  require_own(file, name, path);
+  Handle dataset{H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, "read", name, path};
+  const Handle creation{H5Dget_create_plist(dataset), H5Pclose, "read", name, path};
+  if (H5Pget_layout(creation) == H5D_VIRTUAL || H5Pget_external_count(creation) != 0) refuse_foreign(name, path);
+  return dataset;
+}
+
+/// Whether another program has locked a file, as HDF5 does while it writes.
+bool is_locked(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool locked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return locked;
+}
+
 std::size_t size_of(Type type) {
   switch (type) {
     case Type::U32:
@@ -115,6 +137,9 @@ File File::open(const fs::path& path) {
   const Handle access{H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "open", path, "the file"};
   if (H5Pset_file_locking(access, false, true) < 0) fail("open", path, "the file");
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+  if (id < 0 && is_locked(path))
+    throw core::InputError(fmt::format(
+        "{} is locked by another program, which may be writing to it; close it there and try again", path.string()));
   if (id < 0) fail("open", path, "the file");
   return {path, id};
 }
@@ -147,6 +172,7 @@ bool File::contains(const std::string& path) const {
     const htri_t is_there = H5Lexists(id_, path.substr(0, end).c_str(), H5P_DEFAULT);
     if (is_there < 0) fail("read", path_, path);
     if (is_there == 0) return false;
+    require_own_link(id_, path_, path.substr(0, end));
     if (end == std::string::npos) return true;
   }
 }
@@ -178,7 +204,7 @@ void File::write(const std::string& path, const std::vector<std::string>& values
 }
 
 Type File::type(const std::string& path) const {
-  const Handle dataset{H5Dopen2(id_, path.c_str(), H5P_DEFAULT), H5Dclose, "read", path_, path};
+  const Handle dataset = open_dataset(id_, path_, path);
   const Handle element{H5Dget_type(dataset), H5Tclose, "read", path_, path};
   if (H5Tget_class(element) == H5T_STRING && H5Tis_variable_str(element) > 0) return Type::Text;
   for (const Type type : {Type::F64, Type::I64, Type::U64, Type::U32, Type::U8})
@@ -187,7 +213,7 @@ Type File::type(const std::string& path) const {
 }
 
 Shape File::shape(const std::string& path) const {
-  const Handle dataset{H5Dopen2(id_, path.c_str(), H5P_DEFAULT), H5Dclose, "read", path_, path};
+  const Handle dataset = open_dataset(id_, path_, path);
   const Handle space{H5Dget_space(dataset), H5Sclose, "read", path_, path};
   const int rank = H5Sget_simple_extent_ndims(space);
   const Handle creation{H5Dget_create_plist(dataset), H5Pclose, "read", path_, path};
@@ -227,7 +253,7 @@ void File::read_values(const std::string& path, Type asked, void* values, std::u
     throw core::IoError(
         fmt::format("cannot read {} in {}: it has another type than the file format says", path, path_.string()));
   if (count == 0) return;
-  const Handle dataset{H5Dopen2(id_, path.c_str(), H5P_DEFAULT), H5Dclose, "read", path_, path};
+  const Handle dataset = open_dataset(id_, path_, path);
   const Handle space{H5Dget_space(dataset), H5Sclose, "read", path_, path};
   const Handle memory = make_space(path_, path, {count});
   if (H5Sget_simple_extent_ndims(space) == 1) {
@@ -243,7 +269,7 @@ std::vector<std::string> File::read_text(const std::string& path) const {
     throw core::IoError(fmt::format("cannot read {} in {}: it is not text", path, path_.string()));
   std::vector<char*> pointers(elements(path), nullptr);
   if (pointers.empty()) return {};
-  const Handle dataset{H5Dopen2(id_, path.c_str(), H5P_DEFAULT), H5Dclose, "read", path_, path};
+  const Handle dataset = open_dataset(id_, path_, path);
   const Handle space{H5Dget_space(dataset), H5Sclose, "read", path_, path};
   const Handle element = text_type(path_);
   if (H5Dread(dataset, element, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()) < 0) fail("read", path_, path);

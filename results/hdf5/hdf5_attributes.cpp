@@ -39,6 +39,7 @@ Handle array_space(const Place& place, hsize_t size) {
 }
 
 Handle open_attribute(const Place& place) {
+  require_own(place.file, place.path, place.object);
   return {H5Aopen_by_name(place.file, place.object.c_str(), place.name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
           "read", place.path, place.words()};
 }
@@ -89,6 +90,7 @@ void File::write_attribute(const std::string& object, const std::string& name, d
 }
 
 std::vector<std::string> File::attribute_names(const std::string& object) const {
+  require_own(id_, path_, object);
   std::vector<std::string> names;
   const auto collect = [](hid_t, const char* name, const H5A_info_t*, void* list) -> herr_t {
     static_cast<std::vector<std::string>*>(list)->emplace_back(name);
@@ -100,6 +102,7 @@ std::vector<std::string> File::attribute_names(const std::string& object) const 
 }
 
 bool File::has_attribute(const std::string& object, const std::string& name) const {
+  require_own(id_, path_, object);
   const htri_t is_there = H5Aexists_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT);
   if (is_there < 0) fail("read", path_, Place{id_, path_, object, name}.words());
   return is_there > 0;

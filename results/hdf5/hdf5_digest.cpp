@@ -75,6 +75,7 @@ std::vector<Object> objects_of(hid_t file, const std::filesystem::path& name, Fi
   };
   std::vector<Object> objects;
   for (const std::string& member : members) {
+    require_own_link(file, name, member);
     if (extent == File::Extent::Totals && member == "/trials") continue;
     Visit visit{member, {}};
     if (H5Ovisit_by_name2(file, member.c_str(), H5_INDEX_NAME, H5_ITER_INC, keep, &visit,

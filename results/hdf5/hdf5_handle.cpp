@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <new>
+
 #include "core/error.hpp"
 
 namespace ridgeloc::results::hdf5 {
@@ -19,15 +21,43 @@ std::string essence_of(const std::string& description) {
 }  // namespace
 
 void fail(std::string_view action, const std::filesystem::path& file, std::string_view object) {
-  std::string reason;
+  struct Innermost {
+    std::string reason;
+    bool is_memory = false;
+  } innermost;
   const auto keep_innermost = [](unsigned position, const H5E_error2_t* error, void* target) -> herr_t {
-    if (position == 0 && error->desc != nullptr) *static_cast<std::string*>(target) = error->desc;
+    if (position != 0) return 0;
+    auto& [reason, is_memory] = *static_cast<Innermost*>(target);
+    if (error->desc != nullptr) reason = error->desc;
+    is_memory = error->maj_num == H5E_RESOURCE && error->min_num == H5E_NOSPACE;
     return 0;
   };
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &reason);
-  reason = essence_of(reason);
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &innermost);
+  if (innermost.is_memory) throw std::bad_alloc();
+  const std::string reason = essence_of(innermost.reason);
   throw core::IoError(
       fmt::format("cannot {} {} in {}{}{}", action, object, file.string(), reason.empty() ? "" : ": ", reason));
+}
+
+void refuse_foreign(const std::filesystem::path& file, std::string_view object) {
+  throw core::InputError(
+      fmt::format("{}: {} is a link or lies in another file, as in no result that ridgeloc has written; it is not read",
+                  file.string(), object));
+}
+
+void require_own_link(hid_t file, const std::filesystem::path& name, const std::string& path) {
+  H5L_info_t info{};
+  if (H5Lget_info(file, path.c_str(), &info, H5P_DEFAULT) < 0) fail("read", name, path);
+  if (info.type != H5L_TYPE_HARD) refuse_foreign(name, path);
+}
+
+void require_own(hid_t file, const std::filesystem::path& name, const std::string& path) {
+  for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
+    const std::string link = path.substr(0, end);
+    if (link == "/" || H5Lexists(file, link.c_str(), H5P_DEFAULT) <= 0) return;
+    require_own_link(file, name, link);
+    if (end == std::string::npos) return;
+  }
 }
 
 Handle text_type(const std::filesystem::path& file) {

@@ -11,8 +11,18 @@
 
 namespace ridgeloc::results::hdf5 {
 
-/// Throws core::IoError "cannot <action> <object> in <file>: <HDF5's innermost reason>".
+/// Throws core::IoError "cannot <action> <object> in <file>: <HDF5's innermost reason>", and std::bad_alloc where that
+/// was a lack of memory.
 [[noreturn]] void fail(std::string_view action, const std::filesystem::path& file, std::string_view object);
+
+/// Throws core::InputError: an object of a file, or its values, would be read from another file.
+[[noreturn]] void refuse_foreign(const std::filesystem::path& file, std::string_view object);
+
+/// Calls `refuse_foreign` if the last link of a path, which must exist, is not that of an object of the file itself.
+void require_own_link(hid_t file, const std::filesystem::path& name, const std::string& path);
+
+/// The same for every link of a path; a path that ends early is let pass.
+void require_own(hid_t file, const std::filesystem::path& name, const std::string& path);
 
 /// Owns an HDF5 identifier.
 class Handle {

@@ -236,7 +236,7 @@ std::string drawing_script(const Drawing& drawing, FigureFormat format, const st
 void draw(const Drawing& drawing, const std::filesystem::path& output) {
   write_picture(
       [&](FigureFormat format, const std::filesystem::path& file) { return drawing_script(drawing, format, file); },
-      output);
+      {drawing.title, drawing.footnote}, output);
 }
 
 }  // namespace ridgeloc::results

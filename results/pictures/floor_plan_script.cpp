@@ -195,7 +195,7 @@ void draw(const FloorPlan& plan, const std::filesystem::path& output) {
   if (plan.panels.empty()) throw std::invalid_argument("a floor plan without panels");
   write_picture(
       [&](FigureFormat format, const std::filesystem::path& file) { return floor_plan_script(plan, format, file); },
-      output);
+      {plan.title, plan.footnote}, output);
 }
 
 }  // namespace ridgeloc::results

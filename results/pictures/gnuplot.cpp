@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -25,8 +26,9 @@ class ScriptFile {
       throw core::IoError(fmt::format("cannot create '{}' for gnuplot; set TMPDIR to a writable folder", path_));
     }
     std::FILE* file = fdopen(descriptor, "w");
-    const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-    if ((std::fclose(file) != 0) || !written) {
+    if (file == nullptr) close(descriptor);
+    const bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
+    if (file == nullptr || std::fclose(file) != 0 || !written) {
       std::filesystem::remove(path_);
       throw core::IoError(fmt::format("cannot write '{}' for gnuplot; is the disk full?", path_));
     }
@@ -81,13 +83,24 @@ void run_gnuplot(const std::string& script) {
 }
 
 std::string gnuplot_string(std::string_view text) {
-  std::string quoted = "'";
+  // Only what means nothing to gnuplot anywhere stands as it is: quotes, backquotes, macros and comments are looked for
+  // in a line before its strings are.
+  std::string quoted = "\"";
+  bool after_escape = false;
   for (const char c : text) {
-    const bool control = static_cast<unsigned char>(c) < 0x20U || c == 0x7f;
-    if (c == '\'') quoted += '\'';
-    quoted += control ? ' ' : c;
+    const auto byte = static_cast<unsigned char>(c);
+    const bool control = byte < 0x20U || byte == 0x7fU;
+    // A digit after an escape would be read as a part of it.
+    const bool is_letter = std::isalpha(byte) != 0 || (std::isdigit(byte) != 0 && !after_escape);
+    const bool plain = byte >= 0x80U || is_letter || byte == ' ' || control;
+    if (plain) {
+      quoted += control ? ' ' : c;
+    } else {
+      quoted += fmt::format("\\{:03o}", byte);
+    }
+    after_escape = !plain;
   }
-  return quoted + "'";
+  return quoted + "\"";
 }
 
 std::string gnuplot_tick_label(std::string_view text) {

@@ -15,6 +15,11 @@ struct AxisRange {
   double high = 1.0;
 };
 
+struct Page {
+  double width = 0.0;   ///< mm
+  double height = 0.0;  ///< mm
+};
+
 /// Distances on a page.
 struct PageStyle {
   static constexpr double edge = 2.0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "results/report/html.hpp"
 #include "results/report/report_assets.hpp"
@@ -21,7 +22,8 @@ struct Part {
   const char* title;
   std::string (*html)(const ReportSource&, const ReportPlace&);
 };
-constexpr Part parts[] = {{"overview", "Overview", report_overview},
+constexpr Part parts[] = {{"winners", "Which method is best where", report_winners},
+                          {"overview", "Overview", report_overview},
                           {"figures", "Figures", report_figures},
                           {"study", "What was studied", report_study},
                           {"numbers", "Numbers", report_numbers},
@@ -97,13 +99,15 @@ std::string body(const std::vector<ReportSource>& sources, const std::string& ti
 
 ReportSource read_report_source(const std::string& path) {
   ReportSource source;
+  Snapshot snapshot = read_snapshot(path);
   source.path = path;
-  source.summary = read_result(path);
+  source.summary = summarize(snapshot);
   source.rows = summary_rows(source.summary);
-  source.failures = read_result_failures(path);
+  source.failures = std::move(snapshot.failures);
+  source.worst_metric = leading_metric(source.summary.header.schema);
+  if (!snapshot.is_sealed) return source;
   source.provenance = read_provenance(path);
   source.digest = data_digest(path);
-  source.worst_metric = leading_metric(source.summary.header.schema);
   source.worst = worst_trials(source);
   return source;
 }

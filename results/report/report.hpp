@@ -30,7 +30,8 @@ struct ReportSource {
   std::vector<WorstTrial> worst;  ///< by method, largest first
 };
 
-/// Throws core::InputError if the file is missing, no result, or damaged.
+/// Of a run that has not come to its end it knows what the parts hold so far: neither provenance, digest nor single
+/// trials. Throws core::InputError if there is nothing, no result, or a damaged one.
 ReportSource read_report_source(const std::string& path);
 
 /// One HTML page about one or several results: what was studied, figures, tables, failures, checks, where the numbers

@@ -67,9 +67,12 @@ std::string report_commands(const ReportSource& source, const ReportPlace& place
     return html_heading(place.level + 1, place.id(id), text);
   };
 
-  std::string html = heading("verify", "Check it");
-  html += "<p>Compares the file with its digests and computes some of its blocks again, bit for bit:</p>\n";
-  html += html_command("ridgeloc verify " + result);
+  std::string html;
+  if (source.summary.is_sealed) {
+    html += heading("verify", "Check it");
+    html += "<p>Compares the file with its digests and computes some of its blocks again, bit for bit:</p>\n";
+    html += html_command("ridgeloc verify " + result);
+  }
   html += heading("rerun", "Compute it again");
   html += fmt::format(
       "<p>The study is part of the result (and of this page, under <a href=\"#{}\">What was studied</a>). To "
@@ -78,9 +81,11 @@ std::string report_commands(const ReportSource& source, const ReportPlace& place
   html += html_command(fmt::format("ridgeloc export {} --study -o {}", result, study));
   html += html_command(fmt::format("ridgeloc run {}{} -o {}", study,
                                    header.isa == mixed_isa ? "" : " --isa " + shell_word(header.isa), again));
-  html += fmt::format("<p>A complete result has the same digest as this one, if this one is complete too: {}</p>\n",
-                      html_code(source.digest));
-  html += html_command(fmt::format("ridgeloc verify --digest {}", again));
+  if (source.summary.is_sealed) {
+    html += fmt::format("<p>A complete result has the same digest as this one, if this one is complete too: {}</p>\n",
+                        html_code(source.digest));
+    html += html_command(fmt::format("ridgeloc verify --digest {}", again));
+  }
   html += heading("figures-again", "Draw the figures");
   if (!header.figures.empty()) html += html_command(fmt::format("ridgeloc plot {} --format pdf", result));
   html += "<p>Each figure above has its own command.</p>\n";

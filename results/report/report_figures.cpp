@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <stdlib.h>
 
 #include <filesystem>
@@ -70,21 +69,6 @@ std::string drawn(const Summary& summary, const FigureSpec& spec) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// What there is to see, in words.
-std::string description(const FigureData& data) {
-  std::string quantity = data.y_label;
-  if (data.metrics.size() > 1) quantity = fmt::format("{} ({})", fmt::join(data.metrics, "; "), data.y_label);
-  std::string text = fmt::format("{} against {}", quantity, data.x_label);
-  if (data.groups.size() > 1)
-    text += fmt::format(", a line for each {}: {}", data.group_title.empty() ? "of" : data.group_title + " of",
-                        fmt::join(data.groups, "; "));
-  std::vector<std::string> panels;
-  for (const FigurePanel& panel : data.panels)
-    if (!panel.label.empty()) panels.push_back(panel.label);
-  if (!panels.empty()) text += fmt::format("; panels: {}", fmt::join(panels, "; "));
-  return sentence(text);
-}
-
 /// Links to the tables with the numbers that a figure shows.
 std::string links(const Header& header, const FigureSpec& spec, const ReportPlace& place) {
   const std::vector<Measure> measures = measures_of(header.schema);
@@ -112,8 +96,8 @@ std::string figure(const ReportSource& source, const FigureSpec& spec, const Rep
   }
   if (data) {
     html += inlined(drawn(source.summary, spec), place.id(fmt::format("figure{}-", index + 1)),
-                    fmt::format("{}: {}", title, description(*data)));
-    caption = fmt::format("<p>{} {}</p>\n<p>The numbers: {}</p>\n", html_text(description(*data)),
+                    fmt::format("{}: {}", title, sentence(description_of(*data))));
+    caption = fmt::format("<p>{} {}</p>\n<p>The numbers: {}</p>\n", html_text(sentence(description_of(*data))),
                           html_text(sentence(data->footnote)), links(source.summary.header, spec, place));
   }
   return html + fmt::format("<figcaption>\n<p><strong>{}</strong></p>\n{}{}</figcaption>\n</figure>\n",

@@ -92,6 +92,9 @@ constexpr std::pair<const char*, double SummaryRow::*> numbers[] = {{"mean", &Su
                                                                     {"p95 high", &SummaryRow::p95_hi},
                                                                     {"max", &SummaryRow::max}};
 
+/// A page with more rows than this opens slowly, and nobody reads it.
+constexpr std::size_t most_rows_in_full = 2000;
+
 /// All numbers of the summary, a row per cell, method and measure.
 std::string full_table(const ReportSource& source) {
   const Header& header = source.summary.header;
@@ -133,8 +136,12 @@ std::string report_numbers(const ReportSource& source, const ReportPlace& place)
                          measure_tables(header, measures[m], found->second));
     html += "</div>\n";
   }
-  html += html_details("All numbers in one table", false, full_table(source));
-  html += "<p>The same as CSV, for other programs:</p>\n";
+  if (source.rows.size() <= most_rows_in_full) {
+    html += html_details("All numbers in one table", false, full_table(source));
+    html += "<p>The same as CSV, for other programs:</p>\n";
+  } else {
+    html += fmt::format("<p>All {} rows with every number, as CSV:</p>\n", source.rows.size());
+  }
   return html + html_command(fmt::format("ridgeloc export {}", shell_word(source.path)));
 }
 

@@ -29,14 +29,17 @@ std::string report_origin(const ReportSource& source, const ReportPlace&) {
                 fmt::format("Philox4x32-10, seed {}; each number is a function of the seed, of what it is "
                             "for, and of its trial, whatever the number of threads",
                             header.seed));
+  html += entry("Experiment", html_text(fmt::format("{}, version {}", header.experiment, header.experiment_version)));
+  html += entry("Instruction set", html_text(header.isa));
+  html += entry("Study", html_code(header.study_hash));
+  if (!source.summary.is_sealed)
+    return html + entry("Program, machine, digest", "not kept before the run has come to its end") + "</dl>\n";
   html += entry("Program", html_text("ridgeloc " + origin.program_version));
   html +=
       entry("Commit", html_code(origin.git_commit) + (origin.git_dirty ? ", with changes that it does not hold" : ""));
-  html += entry("Experiment", html_text(fmt::format("{}, version {}", header.experiment, header.experiment_version)));
   html += entry("Compiler", html_text(origin.compiler) + " " + html_code(origin.flags));
   html += entry("Libraries", html_text(libraries));
   html += entry("Processor", html_text(origin.processor));
-  html += entry("Instruction set", html_text(header.isa));
   html += entry("Threads", origin.threads == 0 ? "none: merged from other results" : fmt::format("{}", origin.threads));
   html += entry("Wall time", times.empty() ? "not kept" : html_text(times));
   html += entry("Date", html_text(origin.date));
@@ -46,7 +49,6 @@ std::string report_origin(const ReportSource& source, const ReportPlace&) {
       lines += fmt::format("{}{}", lines.empty() ? "" : "<br>", html_text(line));
     html += entry("Made from", lines);
   }
-  html += entry("Study", html_code(header.study_hash));
   html += entry("Data, SHA-256", html_code(source.digest));
   return html + "</dl>\n";
 }

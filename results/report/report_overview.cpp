@@ -88,10 +88,10 @@ std::string report_overview(const ReportSource& source, const ReportPlace&) {
   html += entry("Experiment", fmt::format("{}, version {}", header.experiment, header.experiment_version));
   html += entry("Size", fmt::format("{} cells, {} methods", header.cells.size(), solvers));
   html += entry("Seed", fmt::format("{}", header.seed));
-  html += entry("Computed", fmt::format("{}, ridgeloc {}", origin.date, origin.program_version));
+  if (source.summary.is_sealed)
+    html += entry("Computed", fmt::format("{}, ridgeloc {}", origin.date, origin.program_version));
   html += "</dl>\n<ul class=\"flags\">\n";
-  html +=
-      flag(completeness_of(source.summary).incomplete > 0, "The result is " + completeness_text(source.summary) + ".");
+  html += flag(!is_complete(source.summary), "The result is " + completeness_text(source.summary) + ".");
   html += failure_flag(source.summary) + alarm_flag(source) + bar_flags(source);
   if (origin.git_dirty) html += flag(true, "The program was built from source with changes that no commit holds.");
   if (header.isa == mixed_isa)

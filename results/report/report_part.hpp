@@ -29,6 +29,10 @@ std::string sentence(std::string text);
 std::vector<HtmlTable::Column> factor_columns(const Header& header);
 std::vector<HtmlCell> factor_cells(const Header& header, std::size_t cell);
 
+/// The methods with their settings, those in which they differ first.
+std::string report_methods(const Header& header);
+
+std::string report_winners(const ReportSource& source, const ReportPlace& place);
 std::string report_overview(const ReportSource& source, const ReportPlace& place);
 std::string report_study(const ReportSource& source, const ReportPlace& place);
 std::string report_figures(const ReportSource& source, const ReportPlace& place);

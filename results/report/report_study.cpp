@@ -40,12 +40,6 @@ std::string factors(const Header& header) {
   return table.html() + paragraph(crossing);
 }
 
-std::string methods(const Header& header) {
-  HtmlTable table("Methods and all settings that they read", {{"method", Kind::Head}, {"settings"}});
-  for (const MethodInfo& method : header.methods) table.add({text_cell(method.label), text_cell(method.description)});
-  return table.html();
-}
-
 std::string measures(const Header& header) {
   HtmlTable table("Measures: estimated of each cell and method",
                   {{"measure", Kind::Head}, {"unit"}, {"meaning"}, {"reported as"}});
@@ -128,12 +122,12 @@ std::string report_study(const ReportSource& source, const ReportPlace& place) {
   const auto heading = [&](const char* id, const char* text) {
     return html_heading(place.level + 1, place.id(id), text);
   };
-  std::string html = heading("factors", "Data-generating factors") + factors(header);
+  std::string html = heading("methods", "Methods");
+  html += paragraph("All methods solve the same trials: what differs between them is not the luck of the draw.") +
+          report_methods(header);
+  html += heading("factors", "Data-generating factors") + factors(header);
   html += html_details("The whole study, every setting written out", false,
                        fmt::format("<pre tabindex=\"0\"><code>{}</code></pre>\n", html_text(header.study_toml)));
-  html += heading("methods", "Methods");
-  html += paragraph("All methods solve the same trials: what differs between them is not the luck of the draw.") +
-          methods(header);
   html += heading("measures", "Estimands and measures") + measures(header);
   html += heading("trials", "Number of trials, and what it buys");
   html += trials_asked(source.summary);

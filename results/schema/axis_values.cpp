@@ -5,13 +5,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <optional>
 
 #include "core/error.hpp"
 #include "results/schema/text.hpp"
 
 namespace ridgeloc::results {
-namespace {
 
 std::optional<double> number_in(std::string_view text) {
   double value = 0.0;
@@ -19,6 +17,8 @@ std::optional<double> number_in(std::string_view text) {
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
 }
+
+namespace {
 
 bool is_interval(std::string_view text) {
   return text.size() > 2 && text.front() == '[' && text.back() == ']';

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,9 @@ void add_axis_values(AxisValues& chosen, std::string_view text);
 
 /// Texts that `add_axis_values` reads, one per axis.
 std::vector<std::string> axis_values_texts(const AxisValues& chosen);
+
+/// The number that a text is, as a whole; nothing else. "inf" and "nan" are such texts.
+std::optional<double> number_in(std::string_view text);
 
 /// Whether a text writes the value: numbers are compared by value, alone and in intervals, so that 0.10 is 0.1.
 bool is_written_as(const FactorValue& value, std::string_view text);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace ridgeloc::results {
@@ -16,7 +17,7 @@ constexpr int most_decimals = 6;
 /// Decimals that show two significant digits of `error`.
 int decimals_for(double error) {
   // The error is rounded first: 0.0996 is shown as 0.10, not as 0.100.
-  const double rounded = std::stod(fmt::format("{:.1e}", error));
+  const double rounded = std::strtod(fmt::format("{:.1e}", error).c_str(), nullptr);
   return std::max(0, 1 - static_cast<int>(std::floor(std::log10(rounded))));
 }
 
@@ -44,6 +45,14 @@ std::string factor_text(const FactorValue& value) {
 std::string exact_text(double value) {
   if (std::isnan(value)) return "nan";  // a NaN may carry a sign, which says nothing
   return fmt::format("{}", value);
+}
+
+std::string count_text(std::uint64_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+double decimal_number(double digit, int power) {
+  return std::strtod(fmt::format("{}e{}", digit, power).c_str(), nullptr);
 }
 
 std::string cell_text(const Header& header, std::size_t cell) {
@@ -86,6 +95,7 @@ std::string text_with_digits(double value, double error) {
 
 std::string text_with_interval(double value, double lo, double hi) {
   if (std::isnan(value)) return "-";
+  if (std::isnan(lo) || std::isnan(hi)) return fmt::format("{:.4g} [?]", value);
   const double half = (hi - lo) / 2.0;
   if (half > 0.0 && std::isfinite(half) && std::isfinite(value)) {
     const int decimals = decimals_for(half);

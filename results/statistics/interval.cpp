@@ -93,6 +93,17 @@ double root_mean_square_error(const Moments& moments) {
   return square.value == 0.0 ? 0.0 : square.error / (2.0 * std::sqrt(square.value));
 }
 
+double largest_share_of_squares(const Moments& moments, double min, double max) {
+  const MeanSquare square = mean_square(moments);
+  if (square.error == 0.0) return 0.0;
+  const double n = static_cast<double>(moments.n);
+  const double sum = square.error * square.error * (n - 1.0) * n;
+  const double largest = std::max(min * min, max * max);
+  const double smallest = min > 0.0 || max < 0.0 ? std::min(min * min, max * max) : 0.0;
+  const double deviation = std::max(largest - square.value, square.value - smallest);
+  return deviation * deviation / sum;
+}
+
 Interval root_mean_square_interval(const Moments& moments) {
   const MeanSquare square = mean_square(moments);
   if (std::isnan(square.error)) return {nan, nan};
@@ -125,13 +136,14 @@ Interval chi_square_mean_range(std::uint64_t n, std::uint64_t degrees_of_freedom
   return {at(-z), at(z)};
 }
 
-Interval quantile_interval(const Histogram& histogram, double q) {
+Interval quantile_interval(const Histogram& histogram, double q, const Histogram::Range& range) {
   const double n = static_cast<double>(histogram.total());
+  if (n * std::min(q, 1.0 - q) < 3.0) return {nan, nan};
   const double half = z * std::sqrt(n * q * (1.0 - q));
   const double low_rank = std::max(std::floor(n * q - half), 1.0);
   const double high_rank = std::min(std::ceil(n * q + half) + 1.0, n);
   // The order statistic of rank r holds the share ((r - 1) / n, r / n] of the sample: its outer end is taken.
-  return {histogram.quantile((low_rank - 1.0) / n), histogram.quantile(high_rank / n)};
+  return {histogram.quantile((low_rank - 1.0) / n, range), histogram.quantile(high_rank / n, range)};
 }
 
 }  // namespace ridgeloc::results

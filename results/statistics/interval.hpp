@@ -52,6 +52,10 @@ double root_mean_square(const Moments& moments);
 /// first four moments, so that it holds for any distribution with a fourth moment. 0 where all v are 0, NaN for n < 2.
 double root_mean_square_error(const Moments& moments);
 
+/// The largest share that one value has in the sum of (v^2 - R^2)^2 on which that error rests, of a sample from `min`
+/// to `max`. Above some tenths the error is the work of one value. 0 without spread; NaN for n < 2.
+double largest_share_of_squares(const Moments& moments, double min, double max);
+
 /// R exp(-+ t s(R) / R), t of n - 1 degrees of freedom: symmetric in the logarithm, since the mean of v^2 is skewed.
 Interval root_mean_square_interval(const Moments& moments);
 
@@ -68,8 +72,9 @@ double upper_bound_of_none(std::uint64_t trials);
 Interval chi_square_mean_range(std::uint64_t n, std::uint64_t degrees_of_freedom);
 
 /// Interval of the q quantile between the order statistics of rank n q -+ z sqrt(n q (1 - q)), rounded outwards to
-/// whole ranks and read from the histogram (linear within a bin, like `Histogram::quantile`). NaN when empty; where a
-/// rank lies outside the sample, the end of the histogram stands for it.
-Interval quantile_interval(const Histogram& histogram, double q);
+/// whole ranks and read from the histogram (linear within a bin, like `Histogram::quantile`). Where a rank lies outside
+/// the sample, the end of the histogram stands for it; NaN where that would cover less than 95 %, since fewer than 3
+/// values are to be expected beyond the quantile (the rule of three): n min(q, 1 - q) < 3.
+Interval quantile_interval(const Histogram& histogram, double q, const Histogram::Range& range = {});
 
 }  // namespace ridgeloc::results

@@ -14,7 +14,7 @@ namespace {
 using Counts = std::vector<std::uint64_t>;
 using Reals = std::vector<double>;
 
-/// The datasets of /ledger: those per row, per row and event, per row and metric, and three ragged ones with
+/// The datasets of /ledger: those per row, per row and event, per row and metric, and ragged ones with
 /// offsets.
 struct Columns {
   Counts cell, method, first_block, blocks, trials;
@@ -22,8 +22,9 @@ struct Columns {
   Counts events;
   Counts n, beyond;
   Reals mean, m2, m3, m4, min, max;
-  std::vector<std::uint32_t> first_bin;
-  Counts histogram_offset{0}, histogram_count;
+  Counts histogram_offset{0};
+  std::vector<std::uint32_t> histogram_bin;
+  Counts histogram_count;
   Counts digest_offset{0}, digest;
 };
 
@@ -36,9 +37,10 @@ void append(Columns& columns, const MetricStatistics& metric) {
   columns.m4.push_back(metric.moments.m4);
   columns.min.push_back(metric.min);
   columns.max.push_back(metric.max);
-  const auto& counts = metric.histogram.counts();
-  columns.first_bin.push_back(metric.histogram.first_bin());
-  columns.histogram_count.insert(columns.histogram_count.end(), counts.begin(), counts.end());
+  for (const Histogram::Bin& bin : metric.histogram.bins()) {
+    columns.histogram_bin.push_back(bin.number);
+    columns.histogram_count.push_back(bin.count);
+  }
   columns.histogram_offset.push_back(columns.histogram_count.size());
 }
 
@@ -74,7 +76,6 @@ void visit(AnyColumns& columns, PerRow&& f, PerMetric&& g) {
   g("m4", columns.m4);
   g("min", columns.min);
   g("max", columns.max);
-  g("histogram_first_bin", columns.first_bin);
 }
 
 std::string path_of(const char* name) {
@@ -91,6 +92,27 @@ void require_offsets(const hdf5::File& file, const Counts& offsets, std::size_t 
   if (!good) fail(file, "has offsets that do not fit");
 }
 
+/// Before version 2.0 a histogram was a first bin and the counts of all from there on, on a grid of 1922 bins: bin 0
+/// for all below 2^-40, the last one for all from 2^20 on, which now count as infinite.
+std::vector<std::uint32_t> bins_before_2(const hdf5::File& file, const Counts& offsets, std::size_t total) {
+  constexpr std::uint32_t last = 1921;
+  constexpr std::uint32_t first_of_octave_minus_40 = (1023 - 40) * Histogram::bins_per_octave;
+  const auto first_bins = file.read<std::uint32_t>(path_of("histogram_first_bin"));
+  if (first_bins.size() + 1 != offsets.size()) fail(file, "has histograms without a first bin");
+  std::vector<std::uint32_t> bins;
+  bins.reserve(total);
+  for (std::size_t i = 0; i < first_bins.size(); ++i) {
+    const std::uint64_t count = offsets[i + 1] - offsets[i];
+    if (first_bins[i] > last + 1 || count > last + 1 - first_bins[i])
+      fail(file, "has a histogram with bins outside the grid");
+    for (std::uint64_t b = first_bins[i]; b < first_bins[i] + count; ++b) {
+      const auto inner = static_cast<std::uint32_t>(first_of_octave_minus_40 + b - 1);
+      bins.push_back(b == 0 ? 0 : b == last ? Histogram::infinite_bin : inner);
+    }
+  }
+  return bins;
+}
+
 Columns read_columns(const hdf5::File& file, const Schema& schema) {
   Columns columns;
   const auto read = [&file](const char* name, auto& column, std::size_t size) {
@@ -105,7 +127,13 @@ Columns read_columns(const hdf5::File& file, const Schema& schema) {
   read("events", columns.events, rows * schema.events.size());
   columns.histogram_offset = file.read<std::uint64_t>(path_of("histogram_offset"));
   columns.histogram_count = file.read<std::uint64_t>(path_of("histogram_count"));
-  require_offsets(file, columns.histogram_offset, rows * metrics, columns.histogram_count.size());
+  const std::size_t bins = columns.histogram_count.size();
+  require_offsets(file, columns.histogram_offset, rows * metrics, bins);
+  if (file.contains(path_of("histogram_bin"))) {
+    read("histogram_bin", columns.histogram_bin, bins);
+  } else {
+    columns.histogram_bin = bins_before_2(file, columns.histogram_offset, bins);
+  }
   columns.digest_offset = file.read<std::uint64_t>(path_of("digest_offset"));
   columns.digest = file.read<std::uint64_t>(path_of("digest"));
   require_offsets(file, columns.digest_offset, rows, columns.digest.size());
@@ -118,17 +146,18 @@ std::vector<T> piece(const std::vector<T>& values, std::uint64_t begin, std::uin
   return {at(begin), at(end)};
 }
 
-MetricStatistics metric_at(const hdf5::File& file, const Columns& columns, std::size_t i) {
+MetricStatistics metric_at(const Columns& columns, std::size_t i) {
   MetricStatistics metric;
   metric.moments = {columns.n[i], columns.mean[i], columns.m2[i], columns.m3[i], columns.m4[i]};
   metric.beyond = columns.beyond[i];
   metric.min = columns.min[i];
   metric.max = columns.max[i];
-  Counts counts = piece(columns.histogram_count, columns.histogram_offset[i], columns.histogram_offset[i + 1]);
-  const std::uint32_t first_bin = columns.first_bin[i];
-  if (first_bin > Histogram::bins || counts.size() > Histogram::bins - first_bin)
-    fail(file, "has a histogram with bins outside the grid");
-  metric.histogram = counts.empty() ? Histogram() : Histogram(first_bin, std::move(counts));
+  std::vector<Histogram::Bin> bins;
+  for (std::uint64_t b = columns.histogram_offset[i]; b < columns.histogram_offset[i + 1]; ++b) {
+    // Before version 2.0 empty bins between others were stored.
+    if (columns.histogram_count[b] > 0) bins.push_back({columns.histogram_bin[b], columns.histogram_count[b]});
+  }
+  metric.histogram = Histogram(std::move(bins));
   return metric;
 }
 
@@ -140,7 +169,7 @@ Row row_at(const hdf5::File& file, const Columns& columns, const Header& header,
   const std::size_t events = header.schema.events.size();
   if (columns.reports_events[r] != 0) row.statistics.events = piece(columns.events, r * events, (r + 1) * events);
   const std::size_t metrics = header.schema.metrics.size();
-  for (std::size_t m = 0; m < metrics; ++m) row.statistics.metrics.push_back(metric_at(file, columns, r * metrics + m));
+  for (std::size_t m = 0; m < metrics; ++m) row.statistics.metrics.push_back(metric_at(columns, r * metrics + m));
   row.digests = piece(columns.digest, columns.digest_offset[r], columns.digest_offset[r + 1]);
   return row;
 }
@@ -165,6 +194,7 @@ void write_ledger(hdf5::File& file, const Ledger& ledger, const Schema& schema) 
       });
   write("events", columns.events, {rows, schema.events.size()});
   write("histogram_offset", columns.histogram_offset, {columns.histogram_offset.size()});
+  write("histogram_bin", columns.histogram_bin, {columns.histogram_bin.size()});
   write("histogram_count", columns.histogram_count, {columns.histogram_count.size()});
   write("digest_offset", columns.digest_offset, {columns.digest_offset.size()});
   file.write(path_of("digest"), columns.digest);  // random bits: compression would only cost time

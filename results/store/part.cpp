@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* filetype = "ridgeloc-part";
-constexpr std::uint64_t format_version = 2;
+constexpr std::uint64_t format_version = 3;
 
 /// Hexadecimal digits of the SHA-256 that ends a part file.
 constexpr std::uintmax_t checksum_size = 64;

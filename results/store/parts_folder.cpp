@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <string_view>
 #include <system_error>
+#include <tuple>
 
 #include "core/error.hpp"
 #include "results/store/part.hpp"
@@ -29,6 +32,14 @@ std::string part_name(std::uint64_t number) {
   return fmt::format("{}{:06}{}", part_prefix, number, part_extension);
 }
 
+std::uint64_t part_number(const fs::path& part) {
+  const std::string stem = part.stem().string();
+  const std::string_view prefix = part_prefix;
+  std::uint64_t number = 0;
+  if (stem.starts_with(prefix)) std::from_chars(stem.data() + prefix.size(), stem.data() + stem.size(), number);
+  return number;
+}
+
 PartsFolderContent content_of(const fs::path& folder) {
   PartsFolderContent content;
   std::error_code none;
@@ -40,8 +51,20 @@ PartsFolderContent content_of(const fs::path& folder) {
       content.parts.push_back(entry.path());
     }
   }
-  std::ranges::sort(content.parts);
+  std::ranges::sort(content.parts, {}, [](const fs::path& part) { return std::tuple(part_number(part), part); });
   return content;
+}
+
+std::uintmax_t stored_bytes(const fs::path& path) {
+  std::vector<fs::path> files = content_of(parts_folder(path)).parts;
+  files.push_back(path);
+  std::uintmax_t bytes = 0;
+  for (const fs::path& file : files) {
+    std::error_code absent;
+    const std::uintmax_t size = fs::file_size(file, absent);
+    if (!absent) bytes += size;
+  }
+  return bytes;
 }
 
 std::vector<Header> headers_at(const fs::path& path) {

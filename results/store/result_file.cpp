@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -14,6 +15,7 @@
 #include "results/store/failure_file.hpp"
 #include "results/store/header_file.hpp"
 #include "results/store/ledger_file.hpp"
+#include "results/store/parts_folder.hpp"
 #include "results/store/provenance.hpp"
 #include "results/store/result_layout.hpp"
 
@@ -25,6 +27,9 @@ namespace fs = std::filesystem;
 hdf5::File open_result(const fs::path& path) {
   const std::string name = path.string();
   std::error_code error;
+  if (!fs::exists(path, error) && fs::exists(parts_folder(path), error))
+    throw core::InputError(
+        fmt::format("{} is not there yet: its run has not come to its end, see `ridgeloc status {}`", name, name));
   if (!fs::exists(path, error)) throw core::InputError(fmt::format("{} does not exist; check the path", name));
   if (fs::is_directory(path, error))
     throw core::InputError(fmt::format("{} is a folder; name a result file (.h5)", name));
@@ -105,8 +110,7 @@ std::vector<T> read_column(const hdf5::File& file, const std::string& path, std:
   return values;
 }
 
-TrialTable read_table(const hdf5::File& file, std::size_t cell, std::size_t method) {
-  const Header header = read_header(file);
+TrialTable read_table(const hdf5::File& file, const Header& header, std::size_t cell, std::size_t method) {
   if (cell >= header.cells.size() || method >= header.methods.size())
     throw core::InputError(fmt::format("{} has {} cells and {} methods; there is no cell {} with method {}",
                                        file.path().string(), header.cells.size(), header.methods.size(), cell, method));
@@ -116,6 +120,8 @@ TrialTable read_table(const hdf5::File& file, std::size_t cell, std::size_t meth
   if (!file.contains(group)) return table;
   std::optional<std::size_t> trials;
   table.status = read_column<std::uint8_t>(file, group + "/status", trials);
+  if (std::ranges::any_of(table.status, [&](std::uint8_t status) { return status >= header.schema.statuses; }))
+    throw core::IoError(fmt::format("{} has a status that the result does not name", group));
   for (std::size_t m = 0; m < table.metrics.size(); ++m)
     table.metrics[m] = read_column<double>(file, fmt::format("{}/{}", group, header.schema.metrics[m].name), trials);
   table.trial = trial_numbers(file, group, header, trials.value_or(0));
@@ -218,11 +224,15 @@ Summary summarize(const Header& header, const Ledger& ledger) {
   return summary;
 }
 
-Summary read_result(const fs::path& path) {
+Snapshot read_sealed(const fs::path& path) {
   return with_checked_totals(path, [](const hdf5::File& file) {
     const Header header = read_header(file);
-    return summarize(header, read_ledger(file, header));
+    return Snapshot{header, read_ledger(file, header), read_failures(file, header)};
   });
+}
+
+Summary read_result(const fs::path& path) {
+  return summarize(read_sealed(path));
 }
 
 Header read_result_header(const fs::path& path) {
@@ -234,7 +244,15 @@ Ledger read_result_ledger(const fs::path& path) {
 }
 
 TrialTable read_trials(const fs::path& path, std::size_t cell, std::size_t method) {
-  return with_result(path, [&](const hdf5::File& file) { return read_table(file, cell, method); });
+  return with_result(path, [&](const hdf5::File& file) { return read_table(file, read_header(file), cell, method); });
+}
+
+void read_all_trials(const fs::path& path) {
+  with_result(path, [](const hdf5::File& file) {
+    const Header header = read_header(file);
+    for (std::size_t cell = 0; cell < header.cells.size(); ++cell)
+      for (std::size_t method = 0; method < header.methods.size(); ++method) read_table(file, header, cell, method);
+  });
 }
 
 void visit_trials(const fs::path& path, std::size_t metric, const TrialVisitor& visit) {

@@ -9,6 +9,7 @@
 #include "results/blocks/failure_list.hpp"
 #include "results/blocks/ledger.hpp"
 #include "results/blocks/trial_table.hpp"
+#include "results/store/snapshot.hpp"
 #include "results/summary/summary.hpp"
 
 namespace ridgeloc::results {
@@ -19,6 +20,9 @@ namespace ridgeloc::results {
 
 /// What the result is, and the totals of each cell and method.
 Summary read_result(const std::filesystem::path& path);
+
+/// All but the values of single trials.
+Snapshot read_sealed(const std::filesystem::path& path);
 
 /// What the result is, without its numbers.
 Header read_result_header(const std::filesystem::path& path);
@@ -35,6 +39,9 @@ FailureList read_result_failures(const std::filesystem::path& path);
 /// Without kept trials the table is empty. Checks only that the values are there: whether they are those that were
 /// written is for `data_digest` to find out, once for all tables.
 TrialTable read_trials(const std::filesystem::path& path, std::size_t cell, std::size_t method);
+
+/// Reads the kept trials of all cells and methods, and drops them.
+void read_all_trials(const std::filesystem::path& path);
 
 /// Calls `visit` with the kept trials of each method in each cell that report a metric, given by its index: their
 /// numbers and values.

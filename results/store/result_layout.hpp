@@ -7,8 +7,8 @@
 namespace ridgeloc::results::layout {
 
 inline constexpr const char* filetype = "ridgeloc-result";
-inline constexpr std::uint64_t major_version = 1;
-inline constexpr std::uint64_t minor_version = 4;
+inline constexpr std::uint64_t major_version = 2;
+inline constexpr std::uint64_t minor_version = 0;
 inline constexpr const char* digest_attribute = "data_sha256";
 inline constexpr const char* totals_digest_attribute = "totals_sha256";
 inline constexpr const char* attributes_digest_attribute = "attributes_sha256";

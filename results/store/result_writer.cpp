@@ -36,36 +36,31 @@ bool is_there(const fs::path& path) {
 
 }  // namespace
 
-ResultWriter::ResultWriter(fs::path path, Header header, Totals totals)
-    : path_(std::move(path)),
-      folder_(parts_folder(path_)),
+ResultWriter::ResultWriter(ResultClaim claim, Header header, Totals totals)
+    : claim_(std::move(claim)),
+      path_(claim_->path()),
+      folder_(claim_->folder()),
       header_(std::move(header)),
       present_(header_.cells.size() * header_.methods.size()),
       pending_(new_part()),
       last_part_(std::chrono::steady_clock::now()) {
   if (totals == Totals::Kept) totals_.emplace(header_.block_trials);
-  require_writable(path_);
-  make_folder(folder_);
-  lock_ = std::make_unique<FolderLock>(folder_);
-  TemporaryFile::remove_leftovers(path_);
-  try {
-    adopt_result();
-    adopt_parts();
-  } catch (...) {
-    remove_folder_if_empty();
-    throw;
-  }
+  adopt_result();
+  adopt_parts();
 }
 
 ResultWriter::~ResultWriter() {
-  if (lock_ == nullptr) return;  // sealed
+  if (!claim_) return;  // sealed
   try {
     flush();
   } catch (const std::exception&) {
     // Nobody is left to tell. The finished parts are on the disk; the blocks of this one will be computed
     // again.
   }
-  remove_folder_if_empty();
+}
+
+void ResultWriter::record(std::function<RunRecord()> now) {
+  recorder_.emplace(folder_, std::move(now));
 }
 
 Part ResultWriter::new_part() const {
@@ -92,8 +87,9 @@ void ResultWriter::adopt_parts() {
       warnings_.push_back(fmt::format("ignored, its blocks are computed again: {}", error.what()));
     }
   }
-  // Damaged parts keep their names until the result is sealed, and none is overwritten.
-  next_part_ = content.parts.size();
+  // Damaged parts keep their names until the result is sealed, and none is overwritten. Later parts have larger
+  // numbers.
+  if (!content.parts.empty()) next_part_ = part_number(content.parts.back()) + 1;
 }
 
 void ResultWriter::mark_present(const BlockSource& source) {
@@ -137,12 +133,13 @@ std::uint64_t ResultWriter::blocks_there(std::size_t cell, std::uint64_t trials,
   return fewest;
 }
 
-ResultWriter::Extent ResultWriter::extent(std::size_t cell, const std::vector<std::size_t>& methods) const {
+ResultWriter::Extent ResultWriter::extent(std::size_t cell, std::uint64_t trials,
+                                          const std::vector<std::size_t>& methods) const {
   Extent extent{std::numeric_limits<std::uint64_t>::max(), 0};
   const std::lock_guard lock(state_mutex_);
   for (const std::size_t method : methods) {
     const Coverage& blocks = present_.at(cell * header_.methods.size() + method).blocks;
-    extent.unbroken = std::min(extent.unbroken, blocks.unbroken());
+    extent.unbroken = std::min(extent.unbroken, blocks.unbroken(trials, header_.block_trials));
     extent.end = std::max(extent.end, blocks.end());
   }
   return extent;
@@ -262,14 +259,8 @@ void ResultWriter::seal(const Provenance& provenance) {
   std::error_code ignored;
   for (const fs::path& part : parts_) fs::remove(part, ignored);
   for (const fs::path& part : damaged_parts_) fs::remove(part, ignored);
-  remove_folder_if_empty();
-  lock_.reset();
-}
-
-void ResultWriter::remove_folder_if_empty() {
-  // What the program did not put there is not its to remove; the folder then stays.
-  std::error_code not_empty;
-  fs::remove(folder_, not_empty);
+  recorder_.reset();
+  claim_.reset();
 }
 
 }  // namespace ridgeloc::results

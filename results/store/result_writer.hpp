@@ -3,10 +3,11 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "results/blocks/block.hpp"
@@ -14,7 +15,8 @@
 #include "results/schema/schema.hpp"
 #include "results/store/part.hpp"
 #include "results/store/provenance.hpp"
-#include "results/util/file_system.hpp"
+#include "results/store/result_claim.hpp"
+#include "results/store/run_record.hpp"
 
 namespace ridgeloc::results {
 
@@ -28,14 +30,16 @@ namespace ridgeloc::results {
 /// `missing_methods`, `blocks_there`, `extent`, `statistics`, `add` and `flush` may be called from any thread.
 class ResultWriter {
  public:
-  /// Checks that `path` can be written, and takes over what it holds and what a stopped run has left. All of that must
-  /// be of the study that the header describes, and in it: throws core::InputError otherwise, and if another run is
-  /// writing.
+  /// Takes over what the result holds and what a stopped run has left. All of that must be of the study that the header
+  /// describes, and in it: throws core::InputError otherwise.
   ///
   /// With `Totals::Kept` the statistics of all blocks stay in memory, for `statistics`.
   enum class Totals { Dropped, Kept };
-  ResultWriter(std::filesystem::path path, Header header, Totals totals = Totals::Dropped);
-  /// Keeps what was added as a part if that is possible, and removes the folder of parts if there are none.
+  ResultWriter(ResultClaim claim, Header header, Totals totals = Totals::Dropped);
+  /// The same, where nothing of the result was read before it is claimed.
+  ResultWriter(const std::filesystem::path& path, Header header, Totals totals = Totals::Dropped)
+      : ResultWriter(ResultClaim(path), std::move(header), totals) {}
+  /// Keeps what was added as a part if that is possible.
   ~ResultWriter();
   ResultWriter(const ResultWriter&) = delete;
   ResultWriter& operator=(const ResultWriter&) = delete;
@@ -51,13 +55,13 @@ class ResultWriter {
   /// How many of the blocks that `trials` trials of a cell make are there; of the method that has the fewest.
   std::uint64_t blocks_there(std::size_t cell, std::uint64_t trials, const std::vector<std::size_t>& methods) const;
 
-  /// How far a cell is for some methods: the whole blocks that all have from the first on without a gap, and one past
-  /// the last block that any has.
+  /// How far a cell is for some methods: how many of the blocks that `trials` trials make all have from the first on
+  /// without a gap (more if there are more whole ones), and one past the last block that any has.
   struct Extent {
     std::uint64_t unbroken = 0;
     std::uint64_t end = 0;
   };
-  Extent extent(std::size_t cell, const std::vector<std::size_t>& methods) const;
+  Extent extent(std::size_t cell, std::uint64_t trials, const std::vector<std::size_t>& methods) const;
 
   /// Of all trials that a method has in a cell. Precondition: totals are kept.
   Statistics statistics(std::size_t cell, std::size_t method) const;
@@ -65,6 +69,10 @@ class ResultWriter {
   /// Whether the sealed result is as `seal` would make it now: nothing was added, and it says of itself what the header
   /// says.
   bool is_current() const;
+
+  /// Lets others see how far the run is, until the result is sealed or the writer gone. `now` is asked from another
+  /// thread.
+  void record(std::function<RunRecord()> now);
 
   /// Takes finished blocks. Throws core::IoError if a part cannot be written.
   void add(std::vector<BlockSink> blocks);
@@ -95,14 +103,13 @@ class ResultWriter {
   std::filesystem::path next_part_path();
   void unite_small_parts();
   void require_complete(const Ledger& ledger) const;
-  void remove_folder_if_empty();
 
+  std::optional<ResultClaim> claim_;  ///< none once the result is sealed
   std::filesystem::path path_;
   std::filesystem::path folder_;
   Header header_;
   bool has_result_ = false;     ///< whether `path_` is a result that this one goes on from
   bool is_same_study_ = false;  ///< whether that one's study is this one to the letter
-  std::unique_ptr<FolderLock> lock_;
   std::vector<std::string> warnings_;
   std::vector<std::filesystem::path> damaged_parts_;
 
@@ -116,6 +123,8 @@ class ResultWriter {
   std::mutex parts_mutex_;  ///< guards the next two
   std::vector<std::filesystem::path> parts_;
   std::uint64_t next_part_ = 0;
+
+  std::optional<RunRecorder> recorder_;  ///< last: its thread may ask for what is above
 };
 
 }  // namespace ridgeloc::results

@@ -17,7 +17,7 @@ struct Statistic {
 };
 
 /// The values along the dimension "statistic". Counts are exact as doubles up to 2^53.
-constexpr std::array<Statistic, 24> statistics = {{
+constexpr std::array<Statistic, 25> statistics = {{
     {"n", [](const SummaryRow& row) { return static_cast<double>(row.n); }},
     {"beyond", [](const SummaryRow& row) { return static_cast<double>(row.beyond); }},
     {"mean", [](const SummaryRow& row) { return row.mean; }},
@@ -42,6 +42,7 @@ constexpr std::array<Statistic, 24> statistics = {{
     {"rms_hi", [](const SummaryRow& row) { return row.rms_hi; }},
     {"p95_lo", [](const SummaryRow& row) { return row.p95_lo; }},
     {"p95_hi", [](const SummaryRow& row) { return row.p95_hi; }},
+    {"rms_trusted", [](const SummaryRow& row) { return row.rms_trusted ? 1.0 : 0.0; }},
 }};
 
 std::string path_of(const std::string& name) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "results/schema/text.hpp"
+
 namespace ridgeloc::results {
 
 Completeness completeness_of(const Summary& summary) {
@@ -26,9 +28,18 @@ Completeness completeness_of(const Summary& summary) {
   return completeness;
 }
 
+bool is_complete(const Summary& summary) {
+  return summary.is_sealed && completeness_of(summary).incomplete == 0;
+}
+
 std::string completeness_text(const Summary& summary) {
   const Completeness completeness = completeness_of(summary);
-  const std::string cells = fmt::format("{} cell{}", completeness.cells, completeness.cells == 1 ? "" : "s");
+  const std::string cells = count_text(completeness.cells, "cell");
+  if (!summary.is_sealed)
+    return fmt::format(
+        "incomplete: the run has not come to its end; {} of {} lack some of {} trials; {:.3g} % of all "
+        "trials are there",
+        completeness.incomplete, cells, summary.header.trials, 100.0 * completeness.share);
   if (completeness.incomplete == 0) {
     std::uint64_t most = summary.header.trials;
     for (const Statistics& statistics : summary.statistics) most = std::max(most, statistics.trials);

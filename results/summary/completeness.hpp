@@ -15,6 +15,9 @@ struct Completeness {
 };
 Completeness completeness_of(const Summary& summary);
 
+/// Whether all that the study asks for is there, and sealed.
+bool is_complete(const Summary& summary);
+
 /// In words: "complete: 15 cells with 10000 trials each", or what is missing.
 std::string completeness_text(const Summary& summary);
 

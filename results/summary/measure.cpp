@@ -38,6 +38,18 @@ bool is_flagged(const SummaryRow& row, const Measure& measure) {
   return row.n > 0 && !row.trusted && !bound;
 }
 
+std::vector<std::string> drawn_measures(const Header& header) {
+  const std::vector<Measure> known = measures_of(header.schema);
+  std::vector<std::string> names;
+  for (const FigureSpec& figure : header.figures) {
+    for (const std::string& name : figure.y) {
+      const bool is_known = std::ranges::find(known, name, &Measure::name) != known.end();
+      if (is_known && std::ranges::find(names, name) == names.end()) names.push_back(name);
+    }
+  }
+  return names;
+}
+
 bool is_drawn(const Header& header, const std::string& measure) {
   return std::ranges::any_of(
       header.figures, [&](const FigureSpec& figure) { return std::ranges::find(figure.y, measure) != figure.y.end(); });

@@ -32,6 +32,10 @@ std::string measure_title(const Measure& measure);
 /// instead of a bar.
 bool is_flagged(const SummaryRow& row, const Measure& measure);
 
+/// What the figures of the study show, in their order. A name that the schema has not is left out: drawing such a
+/// figure says so.
+std::vector<std::string> drawn_measures(const Header& header);
+
 /// Whether a figure of the study shows the measure.
 bool is_drawn(const Header& header, const std::string& measure);
 

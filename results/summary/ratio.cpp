@@ -58,7 +58,7 @@ bool is_ratio_linear(const Moments& below) {
 }
 
 Summary with_ratios(const Summary& summary) {
-  Summary wider{summary.header, {}};
+  Summary wider{summary.header, {}, summary.is_sealed};
   std::vector<MethodInfo>& methods = wider.header.methods;
   for (std::size_t m = 0; m < summary.header.methods.size(); ++m) {
     const MethodInfo& method = summary.header.methods[m];

@@ -17,8 +17,17 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// bar.
 constexpr std::uint64_t fewest_trusted = 10;
 
-/// Standard errors within 16 % (MCNP's rule).
-constexpr double largest_variance_of_variance = 0.1;
+/// How much of an error may rest on few values.
+struct TrustLimits {
+  double variance_of_variance;
+  double share_of_squares;
+};
+constexpr TrustLimits light_tails = {0.1, 0.2};  // standard errors of means within 16 % (MCNP's rule)
+constexpr TrustLimits heavy_tails = {0.02, 0.05};
+
+const TrustLimits& limits_of(const MetricInfo& info) {
+  return info.heavy_tailed ? heavy_tails : light_tails;
+}
 
 SummaryRow blank_row(std::size_t cell, std::size_t method, std::string metric, std::string unit) {
   SummaryRow row;
@@ -34,13 +43,24 @@ SummaryRow blank_row(std::size_t cell, std::size_t method, std::string metric, s
   return row;
 }
 
-bool is_trusted(const MetricStatistics& metric) {
-  // Of a sample without spread nothing is known of how it would spread, as of a rate without events.
-  return metric.moments.n >= fewest_trusted && metric.moments.m2 > 0.0 && metric.beyond == 0 &&
-         variance_of_variance(metric.moments) <= largest_variance_of_variance;
+/// Of a sample without spread, or with that of rounding alone, nothing is known of how it would spread, as of a rate
+/// without events.
+bool has_enough(const MetricStatistics& metric) {
+  constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+  return metric.moments.n >= fewest_trusted && metric.beyond == 0 &&
+         standard_deviation(metric.moments) > rounding * std::fabs(metric.moments.mean);
 }
 
-void fill_moments(SummaryRow& row, const MetricStatistics& metric) {
+bool is_mean_trusted(const MetricInfo& info, const MetricStatistics& metric) {
+  return has_enough(metric) && variance_of_variance(metric.moments) <= limits_of(info).variance_of_variance;
+}
+
+bool is_rms_trusted(const MetricInfo& info, const MetricStatistics& metric) {
+  return has_enough(metric) &&
+         largest_share_of_squares(metric.moments, metric.min, metric.max) <= limits_of(info).share_of_squares;
+}
+
+void fill_moments(SummaryRow& row, const MetricInfo& info, const MetricStatistics& metric) {
   const Moments& moments = metric.moments;
   if (moments.n == 0) return;
   row.mean = moments.mean;
@@ -55,7 +75,8 @@ void fill_moments(SummaryRow& row, const MetricStatistics& metric) {
   const Interval rms = root_mean_square_interval(moments);
   row.rms_lo = rms.lo;
   row.rms_hi = rms.hi;
-  row.trusted = is_trusted(metric);
+  row.trusted = is_mean_trusted(info, metric);
+  row.rms_trusted = is_rms_trusted(info, metric);
 }
 
 void fill_quantiles(SummaryRow& row, const MetricInfo& info, const MetricStatistics& metric) {
@@ -65,19 +86,24 @@ void fill_quantiles(SummaryRow& row, const MetricInfo& info, const MetricStatist
   if (metric.min < 0.0) return;
   // Within a bin a quantile is interpolated; of counts only the whole number in the bin can be meant.
   const auto within = [&](double value) {
+    // Results before version 2.0 do not tell finite values from 2^20 on from infinite ones.
+    if (std::isinf(value) && std::isfinite(metric.max)) return nan;
     // The upper edge of a bin is not in it: at a full share the largest whole number below is meant.
     const double whole = std::floor(std::nextafter(value, 0.0));
     return std::clamp(info.whole_numbers ? whole : value, metric.min, metric.max);
   };
-  row.p05 = within(metric.histogram.quantile(0.05));
-  row.p25 = within(metric.histogram.quantile(0.25));
-  row.p50 = within(metric.histogram.quantile(0.50));
-  row.p75 = within(metric.histogram.quantile(0.75));
-  row.p95 = within(metric.histogram.quantile(0.95));
-  const Interval median = quantile_interval(metric.histogram, 0.5);
+  // A whole number is meant wherever in its bin a quantile falls.
+  const auto range = info.whole_numbers ? Histogram::Range() : Histogram::Range{metric.min, metric.max};
+  const auto quantile = [&](double q) { return within(metric.histogram.quantile(q, range)); };
+  row.p05 = quantile(0.05);
+  row.p25 = quantile(0.25);
+  row.p50 = quantile(0.50);
+  row.p75 = quantile(0.75);
+  row.p95 = quantile(0.95);
+  const Interval median = quantile_interval(metric.histogram, 0.5, range);
   row.p50_lo = within(median.lo);
   row.p50_hi = within(median.hi);
-  const Interval p95 = quantile_interval(metric.histogram, 0.95);
+  const Interval p95 = quantile_interval(metric.histogram, 0.95, range);
   row.p95_lo = within(p95.lo);
   row.p95_hi = within(p95.hi);
 }
@@ -101,7 +127,7 @@ SummaryRow metric_row(std::size_t cell, std::size_t method, const MetricInfo& in
     return row;
   }
   row.beyond = metric.beyond;
-  fill_moments(row, metric);
+  fill_moments(row, info, metric);
   fill_quantiles(row, info, metric);
   return row;
 }
@@ -123,7 +149,8 @@ SummaryRow ratio_row(const Summary& summary, std::size_t cell, std::size_t metho
   const std::size_t difference = *summary.header.methods[method].ratio;
   const MetricStatistics above = statistics_of_method((*summary.header.methods[difference].difference)[0]);
   const MetricStatistics below = statistics_of_method((*summary.header.methods[difference].difference)[1]);
-  SummaryRow row = blank_row(cell, method, summary.header.schema.metrics[metric].name, "1");
+  const MetricInfo& info = summary.header.schema.metrics[metric];
+  SummaryRow row = blank_row(cell, method, info.name, "1");
   row.n = std::min(above.moments.n, below.moments.n);
   if (row.n == 0) return row;
   const Moments& a = above.moments;
@@ -133,7 +160,7 @@ SummaryRow ratio_row(const Summary& summary, std::size_t cell, std::size_t metho
   row.mcse = ratio.error;
   row.lo = ratio.lo;
   row.hi = ratio.hi;
-  row.trusted = is_trusted(above) && is_trusted(below) && is_ratio_linear(b);
+  row.trusted = is_mean_trusted(info, above) && is_mean_trusted(info, below) && is_ratio_linear(b);
   return row;
 }
 

@@ -7,7 +7,7 @@
 namespace ridgeloc::results {
 
 /// The numbers of a `SummaryRow` by the names that exports give them, in their order. CSV has trusted and beyond
-/// between the two groups.
+/// between the two groups, and rms_trusted behind them.
 struct SummaryColumn {
   const char* name;
   double SummaryRow::*value;

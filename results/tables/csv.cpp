@@ -1,14 +1,10 @@
 #include "results/tables/csv.hpp"
 
-#include <fmt/format.h>
-
-#include <iterator>
 #include <limits>
 #include <ostream>
 #include <string>
 #include <string_view>
 
-#include "core/error.hpp"
 #include "results/schema/text.hpp"
 #include "results/summary/ratio.hpp"
 #include "results/summary/summary_columns.hpp"
@@ -16,80 +12,28 @@
 namespace ridgeloc::results {
 namespace {
 
-/// Collects lines and hands them to the stream in large pieces.
-class CsvWriter {
- public:
-  explicit CsvWriter(std::ostream& out) : out_(out) {}
-
-  void text(std::string_view value) {
-    separate();
-    if (value.find_first_of(",\"\n") == std::string_view::npos) {
-      buffer_.append(value);
-      return;
-    }
-    buffer_.push_back('"');
-    for (const char c : value) {
-      if (c == '"') buffer_.push_back('"');
-      buffer_.push_back(c);
-    }
-    buffer_.push_back('"');
-  }
-
-  void number(double value) {
-    separate();
-    buffer_.append(exact_text(value));
-  }
-
-  void number(std::uint64_t value) {
-    separate();
-    fmt::format_to(std::back_inserter(buffer_), "{}", value);
-  }
-
-  void end_line() {
-    buffer_.append(std::string_view("\n"));
-    line_started_ = false;
-    constexpr std::size_t piece = std::size_t{1} << 16;
-    if (buffer_.size() >= piece) flush();
-  }
-
-  void flush() {
-    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-    buffer_.clear();
-    if (!out_.flush()) throw core::IoError("cannot write the CSV output: is the disk full or the reader gone?");
-  }
-
- private:
-  void separate() {
-    if (line_started_) buffer_.push_back(',');
-    line_started_ = true;
-  }
-
-  std::ostream& out_;
-  fmt::memory_buffer buffer_;
-  bool line_started_ = false;
-};
-
 void write_axis_names(const Header& header, CsvWriter& csv) {
   for (const Axis& axis : header.axes) csv.text(axis.name);
 }
 
 void write_factors(const Header& header, std::size_t cell, CsvWriter& csv) {
   for (std::size_t axis = 0; axis < header.axes.size(); ++axis) {
-    csv.text(factor_text(header.axes[axis].values[header.cells[cell].indices[axis]]));
+    csv.factor(header.axes[axis].values[header.cells[cell].indices[axis]]);
   }
 }
 
 }  // namespace
 
-void write_summary_csv(const Summary& of_methods, std::ostream& out) {
+void write_summary_csv(const Summary& of_methods, std::ostream& out, DecimalMark mark) {
   const Summary summary = with_ratios(of_methods);
-  CsvWriter csv(out);
+  CsvWriter csv(out, mark);
   write_axis_names(summary.header, csv);
   for (const char* name : {"method", "metric", "unit", "n"}) csv.text(name);
   for (const SummaryColumn& column : summary_columns) csv.text(column.name);
   csv.text("trusted");
   csv.text("beyond");
   for (const SummaryColumn& column : summary_bar_columns) csv.text(column.name);
+  csv.text("rms_trusted");
   csv.end_line();
   for (const SummaryRow& row : summary_rows(summary)) {
     write_factors(summary.header, row.cell, csv);
@@ -101,14 +45,15 @@ void write_summary_csv(const Summary& of_methods, std::ostream& out) {
     csv.number(std::uint64_t{row.trusted});
     csv.number(row.beyond);
     for (const SummaryColumn& column : summary_bar_columns) csv.number(row.*column.value);
+    csv.number(std::uint64_t{row.rms_trusted});
     csv.end_line();
   }
   csv.flush();
 }
 
-void write_cell_comparisons_csv(const Header& header, const std::vector<CellComparison>& comparisons,
-                                std::ostream& out) {
-  CsvWriter csv(out);
+void write_cell_comparisons_csv(const Header& header, const std::vector<CellComparison>& comparisons, std::ostream& out,
+                                DecimalMark mark) {
+  CsvWriter csv(out, mark);
   write_axis_names(header, csv);
   for (const char* name :
        {"against", "method", "metric", "unit", "n", "n_against", "difference", "difference_mcse", "difference_lo",
@@ -135,8 +80,8 @@ void write_cell_comparisons_csv(const Header& header, const std::vector<CellComp
   csv.flush();
 }
 
-void write_trials_csv_heading(const Header& header, std::ostream& out) {
-  CsvWriter csv(out);
+void write_trials_csv_heading(const Header& header, std::ostream& out, DecimalMark mark) {
+  CsvWriter csv(out, mark);
   write_axis_names(header, csv);
   for (const char* name : {"trial", "method", "status"}) csv.text(name);
   for (const MetricInfo& metric : header.schema.metrics) csv.text(metric.name);
@@ -145,8 +90,8 @@ void write_trials_csv_heading(const Header& header, std::ostream& out) {
 }
 
 void write_trials_csv(const Header& header, std::size_t cell, std::size_t method, const TrialTable& trials,
-                      std::ostream& out) {
-  CsvWriter csv(out);
+                      std::ostream& out, DecimalMark mark) {
+  CsvWriter csv(out, mark);
   for (std::size_t row = 0; row < trials.trial.size(); ++row) {
     write_factors(header, cell, csv);
     csv.number(trials.trial[row]);
@@ -160,8 +105,8 @@ void write_trials_csv(const Header& header, std::size_t cell, std::size_t method
   csv.flush();
 }
 
-void write_failures_csv(const Header& header, const FailureList& failures, std::ostream& out) {
-  CsvWriter csv(out);
+void write_failures_csv(const Header& header, const FailureList& failures, std::ostream& out, DecimalMark mark) {
+  CsvWriter csv(out, mark);
   write_axis_names(header, csv);
   for (const char* name : {"trial", "method", "reason"}) csv.text(name);
   csv.end_line();

@@ -50,9 +50,7 @@ bool is_compared(const Summary& summary, const Measure& measure) {
 std::vector<Measure> leading_measures(const Summary& summary) {
   const Header& header = summary.header;
   const Schema& schema = header.schema;
-  Names names;
-  for (const FigureSpec& figure : header.figures)
-    for (const std::string& name : figure.y) add_name(names, name);
+  Names names = drawn_measures(header);
   for (const Measure& measure : measures_of(schema))
     if (measure.is_metric && is_compared(summary, measure)) add_name(names, measure.name);
   if (names.empty()) {

@@ -4,39 +4,33 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
+#include <map>
+#include <numeric>
+#include <optional>
 
 #include "core/error.hpp"
 #include "results/schema/text.hpp"
 #include "results/statistics/interval.hpp"
+#include "results/summary/measure.hpp"
+#include "results/summary/ranking.hpp"
 
 namespace ridgeloc::results {
 namespace {
 
-enum class Statistic { Mean, Median, Rate };
+/// More values of an axis than this have no room beside each other.
+constexpr std::size_t most_columns = 8;
 
-struct Quantity {
-  std::string name;
-  std::string description;
-  std::string unit;
-  Statistic statistic = Statistic::Mean;
-};
+/// More lines than this have no room on a page, and the table goes on over several.
+constexpr std::size_t most_lines = 40;
 
-Quantity quantity_named(const Schema& schema, const std::string& name) {
-  using enum Statistic;
-  const auto metric = std::ranges::find(schema.metrics, name, &MetricInfo::name);
-  if (metric != schema.metrics.end()) {
-    return {name, metric->description, metric->unit, metric->yes_no ? Rate : metric->heavy_tailed ? Median : Mean};
-  }
-  return {name, std::ranges::find(schema.events, name, &EventInfo::name)->description, "1", Rate};
-}
-
-const char* statistic_text(Statistic statistic) {
-  switch (statistic) {
-    case Statistic::Mean:
+const char* statistic_text(Measure::Lead lead) {
+  switch (lead) {
+    case Measure::Lead::Mean:
       return "mean";
-    case Statistic::Median:
+    case Measure::Lead::Median:
       return "median";
-    case Statistic::Rate:
+    case Measure::Lead::Rate:
       return "rate";
   }
   return "";
@@ -56,95 +50,209 @@ std::string number(std::string text) {
   return text;
 }
 
-std::string entry(const SummaryRow& row, Statistic statistic) {
-  if (row.n == 0) return "--";
+std::string number_entry(const SummaryRow& row, Measure::Lead lead) {
   constexpr double interval_errors = 2.0 * normal_quantile_975;
-  switch (statistic) {
-    case Statistic::Median:
-      return fmt::format("${}$", number(text_with_digits(row.p50, (row.p50_hi - row.p50_lo) / interval_errors)));
-    case Statistic::Rate:
-      return fmt::format("${}$", number(text_with_digits(row.mean, (row.hi - row.lo) / interval_errors)));
-    case Statistic::Mean:
+  switch (lead) {
+    case Measure::Lead::Median:
+      return number(text_with_digits(row.p50, (row.p50_hi - row.p50_lo) / interval_errors));
+    case Measure::Lead::Rate:
+      return number(text_with_digits(row.mean, (row.hi - row.lo) / interval_errors));
+    case Measure::Lead::Mean:
       break;
   }
-  return fmt::format("${}{}$", number(text_with_digits(row.mean, row.mcse)), row.trusted ? "" : "^{!}");
+  return number(text_with_digits(row.mean, row.mcse)) + (row.trusted ? "" : "^{!}");
 }
 
 std::string line(const std::vector<std::string>& entries) {
   return fmt::format("    {} \\\\\n", fmt::join(entries, " & "));
 }
 
-std::string caption(const Header& header, const Quantity& quantity, const std::string& digest) {
-  const std::string title = header.title.empty() ? header.experiment : header.title;
-  const std::string what = quantity.description.empty() ? quantity.name : quantity.description;
-  const std::string unit = quantity.unit == "1" || quantity.unit.empty() ? "" : fmt::format(" in {}", quantity.unit);
-  return latex_text(fmt::format(
-      "{}: {}{}, {}. In parentheses the standard error of the last digits. {} trials per "
-      "cell, seed {}, data {}.",
-      title, what, unit, statistic_text(quantity.statistic), header.trials, header.seed, digest.substr(0, 12)));
+/// "range noise in m"; the name where there is no description.
+std::string with_unit(const std::string& name, const std::string& description, const std::string& unit) {
+  const std::string what = description.empty() ? name : description;
+  return unit == "1" || unit.empty() ? what : fmt::format("{} in {}", what, unit);
 }
 
-/// Rows of one metric or event, by cell and, in these, by method.
-std::vector<std::vector<SummaryRow>> rows_of(const Summary& summary, const std::vector<std::size_t>& methods,
-                                             const std::string& name) {
-  std::vector<std::vector<SummaryRow>> rows(summary.header.cells.size());
-  for (std::size_t cell = 0; cell < rows.size(); ++cell) {
-    for (const std::size_t method : methods) {
-      rows[cell].push_back(summary_row(summary.header, method, summary.of(cell, method), name));
-    }
-  }
-  return rows;
+/// The head of a column of short entries, on several lines where it is long.
+std::string narrow(const std::string& text) {
+  constexpr std::size_t longest = 20;
+  if (text.size() <= longest) return latex_text(text);
+  return fmt::format("\\multicolumn{{1}}{{p{{2.6cm}}}}{{\\raggedright {}}}", latex_text(text));
+}
+
+/// A name that `\\ref` can name.
+std::string label_text(const std::string& name) {
+  std::string label;
+  for (const char c : name) label += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' ? c : '-';
+  return label;
 }
 
 /// Methods, but no differences, that report it in any cell.
-std::vector<std::size_t> reporting_methods(const Summary& summary, const std::string& name) {
+std::vector<std::size_t> reporting_methods(const Summary& summary, const Measure& measure) {
   std::vector<std::size_t> methods;
   for (std::size_t method = 0; method < summary.header.methods.size(); ++method) {
     if (summary.header.methods[method].difference) continue;
-    const auto rows = rows_of(summary, {method}, name);
-    if (std::ranges::any_of(rows, [](const auto& row) { return row.front().n > 0; })) methods.push_back(method);
+    for (std::size_t cell = 0; cell < summary.header.cells.size(); ++cell) {
+      if (summary_row(summary.header, method, summary.of(cell, method), measure.name).n == 0) continue;
+      methods.push_back(method);
+      break;
+    }
   }
-  if (methods.empty()) throw core::InputError(fmt::format("no method reports {}", name));
+  if (methods.empty()) throw core::InputError(fmt::format("no method reports {}", measure.name));
   return methods;
 }
 
-std::string table(const Summary& summary, const Quantity& quantity, const LatexSource& source) {
-  const Header& header = summary.header;
-  const auto methods = reporting_methods(summary, quantity.name);
-  const auto rows = rows_of(summary, methods, quantity.name);
-  std::vector<std::string> heads;
-  for (const Axis& axis : header.axes) heads.push_back(latex_text(axis.name));
-  for (const std::size_t method : methods) heads.push_back(latex_text(header.methods[method].label));
-  std::string body;
-  bool any_untrusted = false;
-  for (std::size_t cell = 0; cell < rows.size(); ++cell) {
-    std::vector<std::string> entries;
-    for (std::size_t axis = 0; axis < header.axes.size(); ++axis) {
-      entries.push_back(latex_text(factor_text(header.axes[axis].values[header.cells[cell].indices[axis]])));
+/// A table of one measure. Its columns are the values of an axis, or the methods where no axis has room; its rows all
+/// else, methods last.
+class Table {
+ public:
+  Table(const Summary& summary, const Measure& measure)
+      : summary_(summary), header_(summary.header), measure_(measure), methods_(reporting_methods(summary, measure)) {
+    const std::vector<Measure> ranking = ranking_measures(summary);
+    is_ranked_ = std::ranges::find(ranking, measure.name, &Measure::name) != ranking.end();
+    std::size_t most = 1;
+    for (std::size_t axis = 0; axis < header_.axes.size(); ++axis) {
+      const std::size_t values = header_.axes[axis].values.size();
+      if (values <= most || values > most_columns) continue;
+      most = values;
+      column_axis_ = axis;
     }
-    for (const SummaryRow& row : rows[cell]) {
-      entries.push_back(entry(row, quantity.statistic));
-      any_untrusted = any_untrusted || entries.back().find("^{!}") != std::string::npos;
+    for (std::size_t cell = 0; cell < header_.cells.size(); ++cell) {
+      for (const std::size_t method : methods_) {
+        Key row;
+        for (std::size_t axis = 0; axis < header_.axes.size(); ++axis)
+          if (axis != column_axis_) row.push_back(header_.cells[cell].indices[axis]);
+        if (column_axis_) row.push_back(method);
+        const std::size_t column = column_axis_ ? header_.cells[cell].indices[*column_axis_] : method;
+        entries_[row][column] = entry(cell, method);
+      }
     }
-    body += line(entries);
   }
-  return fmt::format(
-      "\n\\begin{{table}}\n  \\centering\n  \\caption{{{}{}}}\n  \\label{{tab:{}}}\n"
-      "  \\begin{{tabular}}{{{}}}\n    \\toprule\n{}    \\midrule\n{}    \\bottomrule\n"
-      "  \\end{{tabular}}\n\\end{{table}}\n",
-      caption(header, quantity, source.digest), any_untrusted ? " !: the error itself is not reliable." : "",
-      quantity.name, std::string(heads.size(), 'r'), line(heads), body);
-}
+
+  std::string text(const LatexSource& source) const {
+    const std::size_t leading = entries_.begin()->first.size();
+    const std::vector<std::size_t> columns = all_columns();
+    const std::string alignment = std::string(leading, 'l') + std::string(columns.size(), 'r');
+    const std::string head = heading(leading, columns);
+    const std::string about = fmt::format("\\caption{{{}}}", caption(source.digest));
+    const std::string label = fmt::format("\\label{{tab:{}}}", label_text(measure_.name));
+    if (entries_.size() > most_lines) {
+      return fmt::format(
+          "\n\\begin{{longtable}}{{{}}}\n  {}\n  {} \\\\\n    \\toprule\n{}    \\midrule\n  \\endhead\n    "
+          "\\bottomrule\n  \\endfoot\n{}\\end{{longtable}}\n",
+          alignment, about, label, head, body(columns));
+    }
+    return fmt::format(
+        "\n\\begin{{table}}\n  \\centering\n  {}\n  {}\n  \\begin{{tabular}}{{{}}}\n    \\toprule\n{}    "
+        "\\midrule\n{}    \\bottomrule\n  \\end{{tabular}}\n\\end{{table}}\n",
+        about, label, alignment, head, body(columns));
+  }
+
+  bool is_long() const { return entries_.size() > most_lines; }
+
+ private:
+  using Key = std::vector<std::size_t>;
+
+  std::string entry(std::size_t cell, std::size_t method) {
+    const SummaryRow row = summary_row(header_, method, summary_.of(cell, method), measure_.name);
+    if (row.n == 0) return "--";
+    const std::string text = number_entry(row, measure_.lead);
+    any_untrusted_ = any_untrusted_ || text.ends_with("^{!}");
+    if (!is_best(cell, method)) return fmt::format("${}$", text);
+    any_best_ = true;
+    return fmt::format("$\\mathbf{{{}}}$", text);
+  }
+
+  /// Whether the method is significantly the best of its cell.
+  bool is_best(std::size_t cell, std::size_t method) const {
+    if (!is_ranked_) return false;
+    const auto ranking = ranking_of(summary_, cell, methods_, measure_);
+    return ranking && ranking->best == method && ranking->is_significant();
+  }
+
+  std::vector<std::size_t> all_columns() const {
+    if (!column_axis_) return methods_;
+    std::vector<std::size_t> columns(header_.axes[*column_axis_].values.size());
+    std::iota(columns.begin(), columns.end(), std::size_t{0});
+    return columns;
+  }
+
+  std::string heading(std::size_t leading, const std::vector<std::size_t>& columns) const {
+    std::vector<std::string> heads;
+    for (std::size_t axis = 0; axis < header_.axes.size(); ++axis) {
+      if (axis == column_axis_) continue;
+      const Axis& a = header_.axes[axis];
+      heads.push_back(narrow(with_unit(a.name, a.description, a.unit)));
+    }
+    if (!column_axis_) {
+      for (const std::size_t method : columns) heads.push_back(latex_text(header_.methods[method].label));
+      return line(heads);
+    }
+    heads.emplace_back("method");
+    const Axis& across = header_.axes[*column_axis_];
+    for (const std::size_t value : columns) heads.push_back(latex_text(factor_text(across.values[value])));
+    std::vector<std::string> above(leading);
+    above.push_back(fmt::format("\\multicolumn{{{}}}{{c}}{{{}}}", columns.size(),
+                                latex_text(with_unit(across.name, across.description, across.unit))));
+    return line(above) + fmt::format("    \\cmidrule(lr){{{}-{}}}\n", leading + 1, leading + columns.size()) +
+           line(heads);
+  }
+
+  /// A value that is that of the line above is not said again.
+  std::string body(const std::vector<std::size_t>& columns) const {
+    std::string text;
+    const Key* above = nullptr;
+    for (const auto& [row, entries] : entries_) {
+      std::vector<std::string> cells;
+      bool is_new = above == nullptr;
+      std::size_t i = 0;
+      for (std::size_t axis = 0; axis < header_.axes.size(); ++axis) {
+        if (axis == column_axis_) continue;
+        is_new = is_new || (*above)[i] != row[i];
+        cells.push_back(is_new ? latex_text(factor_text(header_.axes[axis].values[row[i]])) : "");
+        ++i;
+      }
+      if (column_axis_) {
+        if (above != nullptr && i > 0 && is_new) text += "    \\addlinespace\n";
+        cells.push_back(latex_text(header_.methods[row.back()].label));
+      }
+      for (const std::size_t column : columns) {
+        const auto found = entries.find(column);
+        cells.push_back(found == entries.end() ? "" : found->second);
+      }
+      text += line(cells);
+      above = &row;
+    }
+    return text;
+  }
+
+  std::string caption(const std::string& digest) const {
+    const std::string title = header_.title.empty() ? header_.experiment : header_.title;
+    std::string text =
+        fmt::format("{}: {}, {}. In parentheses the standard error of the last digits.", title,
+                    with_unit(measure_.name, measure_.description, measure_.unit), statistic_text(measure_.lead));
+    if (any_untrusted_) text += " !: the error itself is not reliable.";
+    if (any_best_) text += " Bold: significantly the best method, at 5 % for each cell.";
+    text += fmt::format(" {} trials per cell, seed {}, {}.", header_.trials, header_.seed,
+                        digest.empty() ? "incomplete" : fmt::format("data {}", digest.substr(0, 12)));
+    return latex_text(text);
+  }
+
+  const Summary& summary_;
+  const Header& header_;
+  const Measure& measure_;
+  std::vector<std::size_t> methods_;
+  std::optional<std::size_t> column_axis_;
+  std::map<Key, std::map<std::size_t, std::string>> entries_;  ///< by row and column
+  bool is_ranked_ = false;
+  bool any_untrusted_ = false;
+  bool any_best_ = false;
+};
 
 }  // namespace
 
 std::vector<std::string> leading_quantities(const Header& header) {
-  std::vector<std::string> names;
-  for (const FigureSpec& figure : header.figures) {
-    for (const std::string& name : figure.y) {
-      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-    }
-  }
+  std::vector<std::string> names = drawn_measures(header);
   if (!names.empty()) return names;
   if (!header.schema.metrics.empty()) names.push_back(header.schema.metrics.front().name);
   if (!header.schema.events.empty()) names.push_back(header.schema.events.front().name);
@@ -153,14 +261,21 @@ std::vector<std::string> leading_quantities(const Header& header) {
 
 std::string latex_tables(const Summary& summary, const std::vector<std::string>& quantities,
                          const LatexSource& source) {
+  const std::vector<Measure> measures = measures_of(summary.header.schema);
+  std::string tables;
+  bool any_long = false;
+  for (const std::string& name : quantities) {
+    const auto measure = std::ranges::find(measures, name, &Measure::name);
+    if (measure == measures.end())
+      throw core::InputError(fmt::format("the result has no metric or event \"{}\"", name));
+    const Table table(summary, *measure);
+    tables += table.text(source);
+    any_long = any_long || table.is_long();
+  }
   std::string command = source.command;
   std::ranges::replace_if(
       command, [](unsigned char c) { return c < 0x20; }, ' ');
-  std::string text = fmt::format("% {}\n% \\usepackage{{booktabs}}\n", command);
-  for (const std::string& name : quantities) {
-    text += table(summary, quantity_named(summary.header.schema, name), source);
-  }
-  return text;
+  return fmt::format("% {}\n% \\usepackage{{booktabs{}}}\n", command, any_long ? ",longtable" : "") + tables;
 }
 
 std::string latex_text(std::string_view text) {

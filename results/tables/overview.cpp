@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "results/schema/text.hpp"
 #include "results/summary/alarm.hpp"
 #include "results/summary/completeness.hpp"
 #include "results/tables/headline.hpp"
@@ -15,12 +16,6 @@
 
 namespace ridgeloc::results {
 namespace {
-
-constexpr std::size_t width = 100;
-
-std::string count_text(std::size_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 /// Methods that run on trials, of all or of some; labels of what belongs to the scene are none.
 std::size_t solver_count(const Summary& summary, const std::vector<std::size_t>& methods) {
@@ -44,28 +39,28 @@ std::string common_axes_text(const Header& header, const std::vector<std::size_t
   std::vector<std::size_t> common;
   for (std::size_t axis = 0; axis < header.axes.size(); ++axis)
     if (std::ranges::find(varying, axis) == varying.end()) common.push_back(axis);
-  return common.empty() ? "" : wrapped_text("in every row: " + axes_text(header, common, cells.front()), width);
+  return common.empty() ? "" : wrapped_text("in every row: " + axes_text(header, common, cells.front()), summary_width);
 }
 
 std::string heading(const Summary& summary, const SummaryChoice& choice) {
   const Header& header = summary.header;
   const std::size_t solvers = solver_count(summary, whole(header).methods);
-  return wrapped_text(header.title.empty() ? header.experiment : header.title, width) +
+  return wrapped_text(header.title.empty() ? header.experiment : header.title, summary_width) +
          fmt::format("experiment {} (version {}){}, seed {}\n", header.experiment, header.experiment_version,
                      solvers == 0 ? "" : fmt::format(", {}", count_text(solvers, "method")), header.seed) +
-         wrapped_text(completeness_text(summary), width) + shown_text(summary, choice) +
+         wrapped_text(completeness_text(summary), summary_width) + shown_text(summary, choice) +
          common_axes_text(header, choice.cells);
 }
 
 std::string left_out_text(const FittedText& fitted, const char* hint) {
   if (fitted.left_out.empty()) return "";
-  return wrapped_text(fmt::format("no room for: {} ({})", fmt::join(fitted.left_out, ", "), hint), width);
+  return wrapped_text(fmt::format("no room for: {} ({})", fmt::join(fitted.left_out, ", "), hint), summary_width);
 }
 
 std::string section(const FittedTable& table, const std::string& title, const char* hint) {
   if (table.rows.empty() || table.columns.empty()) return "";
-  const FittedText fitted = fitted_text(table, width);
-  return fmt::format("\n{}{}{}", title.empty() ? "" : wrapped_text(title, width), fitted.text,
+  const FittedText fitted = fitted_text(table, summary_width);
+  return fmt::format("\n{}{}{}", title.empty() ? "" : wrapped_text(title, summary_width), fitted.text,
                      left_out_text(fitted, hint));
 }
 
@@ -82,26 +77,26 @@ std::string audit_line(const Summary& summary, const SummaryChoice& choice) {
   for (const std::size_t cell : choice.cells)
     for (const std::size_t method : choice.methods) shown.emplace(cell, method);
   const std::string text = alarm_text(summary, shown);
-  return fmt::format("\n{}",
-                     text.empty() ? "not audited: no trial was checked independently\n" : wrapped_text(text, width));
+  return fmt::format(
+      "\n{}", text.empty() ? "not audited: no trial was checked independently\n" : wrapped_text(text, summary_width));
 }
 
 /// How to read what the tables say.
 std::string notes(const std::string& tables, const DifferenceTable& differences, std::size_t cells) {
   const auto has = [&](const char* sign) { return tables.find(sign) != std::string::npos; };
-  std::string text = wrapped_text("± error: Monte Carlo standard error; [95 %]: 95 % interval", width);
+  std::string text = wrapped_text("± error: Monte Carlo standard error; [95 %]: 95 % interval", summary_width);
   if (has("[≤"))
-    text += wrapped_text("0 [≤ u]: not seen once; with 95 % confidence the rate is at most u = 3 / n", width);
+    text += wrapped_text("0 [≤ u]: not seen once; with 95 % confidence the rate is at most u = 3 / n", summary_width);
   if (has(" !"))
     text += wrapped_text(
         "!: the error itself is not reliable (fewer than 10 values or outcomes of a kind, heavy tails, or values "
         "beyond 1e6)",
-        width);
+        summary_width);
   if (has(" *"))
     text += wrapped_text(
         fmt::format("*: the 95 % interval excludes 0; **: so would that of the largest of all {} differences",
                     differences.tested),
-        width);
+        summary_width);
   if (cells > 1) text += "Cells that share trials are not independent.\n";
   return fmt::format("\n{}", text);
 }

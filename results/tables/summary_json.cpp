@@ -44,7 +44,7 @@ std::string row_json(const Header& header, const SummaryRow& row) {
   };
   add(summary_columns);
   add(summary_bar_columns);
-  return text + "}";
+  return text + fmt::format(", \"rms_trusted\": {}}}", row.rms_trusted);
 }
 
 std::string list(const std::vector<std::string>& items) {
@@ -68,10 +68,10 @@ void write_summary_json(const Summary& of_methods, std::ostream& out) {
   out << fmt::format(
       "{{\n  \"title\": {},\n  \"experiment\": {},\n  \"experiment_version\": {},\n  \"study_hash\": {},\n  \"seed\": "
       "{},\n"
-      "  \"trials\": {},\n  \"isa\": {},\n  \"axes\": {},\n  \"methods\": {},\n  \"rows\": {}\n}}\n",
+      "  \"trials\": {},\n  \"sealed\": {},\n  \"isa\": {},\n  \"axes\": {},\n  \"methods\": {},\n  \"rows\": {}\n}}\n",
       json_string(header.title), json_string(header.experiment), header.experiment_version,
-      json_string(header.study_hash), header.seed, header.trials, json_string(header.isa), list(axes), list(methods),
-      list(rows));
+      json_string(header.study_hash), header.seed, header.trials, summary.is_sealed, json_string(header.isa),
+      list(axes), list(methods), list(rows));
   if (!out.flush()) throw core::IoError("cannot write the JSON output: is the disk full or the reader gone?");
 }
 

@@ -141,7 +141,7 @@ std::string summary_table(const Summary& of_methods, const SummaryChoice& choice
     }
   }
   std::string text = heading(summary.header);
-  if (completeness_of(of_methods).incomplete > 0) text += completeness_text(of_methods) + "\n";
+  if (!is_complete(of_methods)) text += completeness_text(of_methods) + "\n";
   for (const Block& block : blocks) {
     const std::string cell = cell_text(summary.header, block.cell);
     text += fmt::format("\n{}{}{}\n", cell, cell.empty() ? "" : ": ", summary.header.methods[block.method].label);

@@ -6,9 +6,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <fstream>
+#include <random>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -31,17 +33,41 @@ fs::path folder_of(const fs::path& file) {
   return parent.empty() ? fs::path(".") : parent;
 }
 
-/// Flushes a file or a folder to the disk.
+/// Whether fsync says that it cannot do such a thing at all here, rather than that it failed: many network and
+/// encrypting file systems cannot synchronize a folder, and say so in several ways. The rename itself has succeeded
+/// then.
+bool is_unsupported(int error) {
+  return error == EINVAL || error == ENOTSUP || error == EOPNOTSUPP || error == EBADF || error == ENOSYS;
+}
+
+/// Flushes a file or a folder to the disk, where the file system can.
 void synchronize(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) throw core::IoError(fmt::format("cannot open {}: {}", path.string(), reason(errno)));
   const int returned = ::fsync(descriptor);
   const int error = errno;
   ::close(descriptor);
-  // Some network file systems cannot synchronize a folder and say so by EINVAL; the rename itself has
-  // succeeded.
-  if (returned != 0 && error != EINVAL)
+  if (returned != 0 && !is_unsupported(error))
     throw core::IoError(fmt::format("cannot flush {} to the disk: {}", path.string(), reason(error)));
+}
+
+/// Two processes, also on two machines or in two containers, as good as never draw the same.
+std::string random_part() {
+  std::random_device device;
+  return fmt::format("{:08x}{:08x}", device(), device());
+}
+
+/// Creates a file beside another one that nobody else has, not even through a link. Empty, with errno set, where that
+/// cannot be.
+fs::path create_alone(const fs::path& beside) {
+  constexpr mode_t as_the_user_allows = 0666;
+  for (;;) {
+    fs::path path = fmt::format("{}.{}{}", beside.string(), random_part(), temporary_suffix);
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, as_the_user_allows);
+    if (descriptor >= 0) ::close(descriptor);
+    if (descriptor >= 0) return path;
+    if (errno != EEXIST) return {};
+  }
 }
 
 }  // namespace
@@ -60,12 +86,10 @@ void require_writable(const fs::path& file) {
 
   // Only an attempt tells the truth about permissions, read-only mounts and quotas.
   // Its name is that of a temporary: what a killed program leaves of it is removed like one.
-  std::string probe = fmt::format("{}.XXXXXX{}", file.string(), temporary_suffix);
-  const int descriptor = ::mkstemps(probe.data(), static_cast<int>(std::string_view(temporary_suffix).size()));
-  if (descriptor < 0)
+  const fs::path probe = create_alone(file);
+  if (probe.empty())
     throw core::InputError(fmt::format("cannot write {}: {}; make the folder {} writable or choose another -o",
                                        file.string(), reason(errno), folder.string()));
-  ::close(descriptor);
   ::unlink(probe.c_str());
 }
 
@@ -85,9 +109,9 @@ void make_folder(const fs::path& folder) {
   synchronize(folder_of(folder));
 }
 
-TemporaryFile::TemporaryFile(fs::path final_path)
-    : final_(std::move(final_path)),
-      temporary_(fmt::format("{}.{}{}", final_.string(), ::getpid(), temporary_suffix)) {}
+TemporaryFile::TemporaryFile(fs::path final_path) : final_(std::move(final_path)), temporary_(create_alone(final_)) {
+  if (temporary_.empty()) throw core::IoError(fmt::format("cannot write {}: {}", final_.string(), reason(errno)));
+}
 
 TemporaryFile::~TemporaryFile() {
   if (published_) return;
@@ -95,15 +119,15 @@ TemporaryFile::~TemporaryFile() {
   fs::remove(temporary_, ignored);
 }
 
-void TemporaryFile::publish() {
-  synchronize(temporary_);
+void TemporaryFile::publish(Durability durability) {
+  if (durability == Durability::Kept) synchronize(temporary_);
   std::error_code error;
   fs::rename(temporary_, final_, error);
   if (error)
     throw core::IoError(
         fmt::format("cannot rename {} to {}: {}", temporary_.string(), final_.string(), error.message()));
   published_ = true;
-  synchronize(folder_of(final_));
+  if (durability == Durability::Kept) synchronize(folder_of(final_));
 }
 
 bool TemporaryFile::is_temporary(const fs::path& file) {
@@ -114,14 +138,26 @@ void TemporaryFile::remove_leftovers(const fs::path& final_path) {
   std::error_code ignored;
   const std::string beginning = final_path.filename().string() + ".";
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(final_path), ignored)) {
-    const bool of_this_file = entry.path().filename().string().starts_with(beginning);
-    if (of_this_file && is_temporary(entry.path())) fs::remove(entry.path(), ignored);
+    if (!is_temporary(entry.path())) continue;
+    // What stands between the name and the ending has no dot: "r.h5.csv.<random part>" is another file's.
+    const std::string name = entry.path().stem().string();
+    const bool of_this_file = name.starts_with(beginning) && name.find('.', beginning.size()) == std::string::npos;
+    if (of_this_file) fs::remove(entry.path(), ignored);
   }
+}
+
+bool is_plain_file_name(std::string_view name) {
+  constexpr std::size_t longest = 200;  // of the 255 bytes that file systems allow
+  return !name.empty() && name.size() <= longest && name.front() != '.' &&
+         std::ranges::none_of(name, [](unsigned char c) { return c < 0x20 || c == 0x7f || c == '/' || c == '\\'; });
 }
 
 bool begins_as_hdf5(const fs::path& file) {
   constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
   std::array<char, signature.size()> beginning{};
+  // What is read from a pipe is gone.
+  std::error_code missing;
+  if (!fs::is_regular_file(file, missing)) return false;
   std::ifstream in(file, std::ios::binary);
   in.read(beginning.data(), beginning.size());
   return in && std::string_view(beginning.data(), beginning.size()) == signature;

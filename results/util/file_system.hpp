@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace ridgeloc::results {
 
@@ -16,7 +17,11 @@ void require_new(const std::filesystem::path& file);
 /// Throws core::InputError.
 void make_folder(const std::filesystem::path& folder);
 
-/// Whether a file begins as HDF5 files do; false for a missing one.
+/// Whether a text that nobody has checked is safe as the name of a file in a folder: neither empty nor hidden, without
+/// a separator or control characters, with room for an ending.
+bool is_plain_file_name(std::string_view name);
+
+/// Whether a file begins as HDF5 files do; false for a missing one, and for pipes and devices, which stay unread.
 bool begins_as_hdf5(const std::filesystem::path& file);
 
 /// Throws core::InputError if a file of this name is HDF5: a result is hours of work, and a table or a picture is not
@@ -27,7 +32,8 @@ void refuse_to_replace_result(const std::filesystem::path& file);
 /// `publish()`. Until then the destructor removes it.
 class TemporaryFile {
  public:
-  /// The temporary stands beside `final_path`, so that the rename stays within one file system.
+  /// Creates the temporary beside `final_path`, so that the rename stays within one file system; no other process has
+  /// it. Throws core::IoError.
   explicit TemporaryFile(std::filesystem::path final_path);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
@@ -35,9 +41,11 @@ class TemporaryFile {
 
   const std::filesystem::path& path() const { return temporary_; }
 
-  /// Makes the content durable, gives it its name (replacing an older file) and makes the name durable.
+  /// Makes the content durable, gives it its name (replacing an older file) and makes the name durable; a file system
+  /// that cannot do so at all is let pass. With `Durability::Waived` a power cut may take what was written.
   /// Throws core::IoError.
-  void publish();
+  enum class Durability { Kept, Waived };
+  void publish(Durability durability = Durability::Kept);
 
   /// Whether a file in a folder is such a temporary, left by a killed program.
   static bool is_temporary(const std::filesystem::path& file);

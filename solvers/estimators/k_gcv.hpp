@@ -12,8 +12,9 @@ namespace ridgeloc::solvers {
 ///
 /// With the eigenvalues l_i of J'WJ and alpha = Q'dx_ls: |(I - A_k) y|^2 = y'y - sum l_i alpha_i^2 + sum l_i alpha_i^2
 /// (k / (l_i + k))^2 and tr(I - A_k) = n - p + sum k / (l_i + k). The smallest of 49 scores at k = l_max 10^(-8 ... 4),
-/// four a decade, is refined by golden section to 10^-4 decades between its neighbours. With n = p and consistent
-/// ranges the score tends to a constant: the search then ends at one of its ends.
+/// four a decade, is refined by golden section to 10^-4 decades between its neighbours. With n = p the step leaves no
+/// residual: y'y less the sum is rounding, which a small trace would divide by next to nothing, and counts as zero. For
+/// small k the score then tends to a constant: the search may end at the lower end.
 struct GeneralizedCrossValidation : KDefaults {
   static constexpr std::string_view name = "gcv";
   static constexpr std::string_view summary =
@@ -64,13 +65,13 @@ struct GeneralizedCrossValidation : KDefaults {
   struct Score {
     core::Vector<Real, P> eigenvalues;
     core::Vector<Real, P> fitted;  ///< l_i alpha_i^2
-    Real rest;                     ///< y'y less all of these
+    Real rest;                     ///< y'y less all of these: the residual sum of squares of the step
     Real freedom;
 
     explicit Score(const KContext<Real, P>& c)
         : eigenvalues(c.eigenvalues),
           fitted(core::make_vector<P>([&](auto i) { return c.eigenvalues[i] * c.alpha[i] * c.alpha[i]; })),
-          rest(core::max(c.squares - sum(fitted), Real(0.0))),
+          rest(c.observations > P ? core::max(c.squares - sum(fitted), Real(0.0)) : Real(0.0)),
           freedom(static_cast<double>(c.observations) - static_cast<double>(P)) {}
 
     Real operator()(const Real& unit, const Real& decade) const {

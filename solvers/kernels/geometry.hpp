@@ -43,10 +43,10 @@ struct Geometry {
 };
 
 template <class Real, std::size_t P>
-Geometry<Real> geometry(const core::Symmetric<Real, P>& matrix, std::size_t positions) {
+Geometry<Real> geometry(const core::Symmetric<Real, P>& matrix, std::size_t positions, std::size_t observations) {
   if constexpr (P == 3) {
     if (positions == 3) {
-      const core::Adjugate<Real> inverse = core::adjugate(matrix);
+      const core::Adjugate<Real> inverse = core::adjugate(matrix, observations);
       const Real trace = matrix(0, 0) + matrix(1, 1) + matrix(2, 2);
       const Real minors = inverse.matrix(0, 0) + inverse.matrix(1, 1) + inverse.matrix(2, 2);
       const Real reciprocal = core::reciprocal(inverse.determinant);
@@ -64,7 +64,7 @@ Geometry<Real> geometry(const core::Symmetric<Real, P>& matrix, std::size_t posi
   for (std::size_t i = 0; i < positions; ++i) {
     core::Vector<Real, P> unit = every<P>(Real(0.0));
     unit[i] = Real(1.0);
-    const auto column = core::solve(matrix, unit);
+    const auto column = core::solve(matrix, unit, observations);
     trace = trace + column.x[i];
     singular = column.singular;
   }
@@ -102,7 +102,7 @@ template <class Real = double>
           model, [](auto j, const Model& m, const auto& at, auto& sum) { sum.add(m.observe(j, at), Lanes(1.0)); }, u,
           unweighted);
       model.add_prior(u, 1.0, unweighted);
-      const auto of = detail::geometry(unweighted.matrix, Model::positions);
+      const auto of = detail::geometry(unweighted.matrix, Model::positions, model.observations());
       // Near singularity rounding can turn the trace of a positive definite inverse negative.
       const core::Mask<Lanes> regular = (of.position_trace > Lanes(0.0)) & !of.singular;
       const Lanes infinite(std::numeric_limits<double>::infinity());

@@ -59,13 +59,18 @@ TrialOracle<Real, Model::unknowns> oracle_of(const Model& model, const core::Ora
           Real(oracle.range_sigma_m * oracle.range_sigma_m), oracle.k_error, trial};
 }
 
-/// Where a method begins: at the given start, or at a closed form where that has an answer.
+/// The closed form that `options.start` names, or the given start where that has no answer. Not inlined: all methods
+/// share it, and compilers need long for it.
 template <class Model, class Real = typename Model::Real>
-typename Model::Vector first_iterate(const Model& model, const SolverOptions& options) {
-  const typename Model::Vector start = model.start();
-  if (options.start == Start::Given) return start;
+[[gnu::noinline]] typename Model::Vector closed_form_start(const Model& model, const SolverOptions& options) {
   const auto found = options.start == Start::Linear ? linear_form(model, options) : bancroft_form(model, options);
-  return core::select<Real>((!found.singular) & core::is_finite(core::dot(found.u, found.u)), found.u, start);
+  return core::select<Real>((!found.singular) & core::is_finite(core::dot(found.u, found.u)), found.u, model.start());
+}
+
+/// Where a method begins.
+template <class Model>
+typename Model::Vector first_iterate(const Model& model, const SolverOptions& options) {
+  return options.start == Start::Given ? model.start() : closed_form_start(model, options);
 }
 
 /// Takes one step in every active lane and returns which lanes go on.
@@ -135,7 +140,7 @@ template <class Method, class Model, class Real = typename Model::Real>
           },
       u, weights, equations, squares);
   model.add_prior(u, weights.largest(), equations);
-  const auto rest = core::solve(equations.matrix, equations.gradient);
+  const auto rest = core::solve(equations.matrix, equations.gradient, model.observations());
   const Real remaining = core::select(rest.singular, Real(std::numeric_limits<double>::infinity()),
                                       core::sqrt(model.squared_move(rest.x)));
   const Real rms = core::sqrt(squares * Real(1.0 / static_cast<double>(model.points())));

@@ -13,22 +13,24 @@ namespace ridgeloc::solvers {
 namespace {
 
 /// The kernels of an instruction set, none where the processor lacks it: even the function that lists them is compiled
-/// for that instruction set.
+/// for that instruction set. The baseline is served by the double path where it has none of its own.
 template <core::Isa isa>
-Kernels kernels_if_supported() {
-  return core::is_supported(isa) ? kernels<isa>() : Kernels{};
+Kernels kernels_of_program() {
+  if constexpr (core::has_kernels(isa)) {
+    return core::is_supported(isa) ? kernels<isa>() : Kernels{};
+  } else if constexpr (isa == core::Isa::Baseline) {
+    return kernels_over<double>();
+  } else {
+    return Kernels{};
+  }
 }
 
 /// In the order of core::Isa.
 const std::array<Kernels, core::isa_count>& kernels_by_isa() {
-  static const std::array<Kernels, core::isa_count> kernels_of_program = {
-    kernels<core::Isa::Baseline>(),
-#if defined(__x86_64__)
-    kernels_if_supported<core::Isa::Avx2>(),
-    kernels_if_supported<core::Isa::Avx512>(),
-#endif
-  };
-  return kernels_of_program;
+  static const std::array<Kernels, core::isa_count> by_isa = {kernels_of_program<core::Isa::Baseline>(),
+                                                              kernels_of_program<core::Isa::Avx2>(),
+                                                              kernels_of_program<core::Isa::Avx512>()};
+  return by_isa;
 }
 
 template <std::size_t I>

@@ -49,8 +49,9 @@ TracedIterate iterate_at(const Method& method, const Model& model, const typenam
 template <class Method, class Model, class Proposed>
 TracedStep traced(const Model& model, const Proposed& step) {
   TracedStep out;
-  out.length_m = step.singular ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(model.squared_move(step.du));
   out.is_rejected = !step.singular && !step.accepted;
+  out.length_m = step.singular ? std::numeric_limits<double>::quiet_NaN()
+                               : std::sqrt(model.squared_move(out.is_rejected ? step.proposed : step.du));
   if constexpr (Method::has_k) out.k.assign(step.k.begin(), step.k.end());
   return out;
 }

@@ -14,7 +14,8 @@ namespace ridgeloc::solvers {
 
 /// What a solver proposes at an iterate.
 struct TracedStep {
-  double length_m = 0.0;     ///< |dx| of the position; NaN where a matrix is singular, so that there is no step
+  double length_m = 0.0;     ///< |dx| of the position, of a rejected step too; NaN where a matrix is singular, so that
+                             ///< there is no step
   bool is_rejected = false;  ///< it would have made matters worse: the solver stays where it is
   std::vector<double> k;     ///< the diagonal of K, in the unknowns that the solver scales; empty without a K
 };

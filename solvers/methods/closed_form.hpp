@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 
 #include "core/matrix.hpp"
@@ -21,6 +22,37 @@ template <class Vector, class Mask>
 struct ClosedForm {
   Vector u;
   Mask singular;
+};
+
+/// Least squares in the lifted unknowns: normal equations, and w times the squared size of what rows were computed
+/// from.
+template <class Model, class Real = typename Model::Real>
+struct LiftedEquations {
+  using Vector = typename Model::Vector;
+  static constexpr std::size_t P = Model::unknowns;
+
+  NormalEquations<Real, P> normal;
+  Vector squared_size = every<P>(Real(0.0));
+
+  void add(const Observation<Real, P>& line, const Vector& size, const Real& weight) {
+    normal.add(line, weight);
+    core::unroll<P>([&](auto i) { squared_size[i] = core::mul_add(weight * size[i], size[i], squared_size[i]); });
+  }
+
+  /// Whether a column of the rows is a combination of the others to rounding. Its squared distance from all of these is
+  /// 1 / (G^-1)_ii, G the normal matrix. Rounding makes up to t G_ii of that when G is formed of n rows and factorized,
+  /// and t^2 S_i when rows are, S_i the squared size of what they are differences of: of coordinates, and of a row and
+  /// the mean of all. With P columns, both bounds hold for t = P^2 (n + 8) eps. What is not finite is not deficient.
+  core::Mask<Real> is_rank_deficient(const core::Factorization<Real, P>& factorization, std::size_t n) const {
+    const Real t(static_cast<double>(P * P * (n + 8)) * std::numeric_limits<double>::epsilon());
+    const Vector inverse = core::inverse_diagonal(factorization);
+    core::Mask<Real> deficient = none<Real>();
+    core::unroll<P>([&](auto i) {
+      const Real least = t * core::mul_add(t, squared_size[i], normal.matrix(i, i));
+      deficient = deficient | (factorization.inverse_pivot[i] <= Real(0.0)) | (Real(1.0) <= inverse[i] * least);
+    });
+    return deficient & core::is_finite(sum(core::diagonal(normal.matrix)));
+  }
 };
 
 /// q as one more unknown: linear least squares with an intercept, for n > p.
@@ -44,35 +76,37 @@ template <class Model, class Real = typename Model::Real>
   const Real inverse = core::reciprocal(total);
   mean = core::scale(inverse, mean);
   mean_right = mean_right * inverse;
-  NormalEquations<Real, P> equations;
+  LiftedEquations<Model> equations;
   for_each_point(model, [&](auto j, const auto&) {
     const auto line = model.lifted(j);
-    equations.add({core::subtract(line.row, mean), line.residual - mean_right},
+    equations.add({core::subtract(line.row, mean), line.residual - mean_right}, model.lifted_size(j),
                   weigh(j, model.score(j), zero) * Real(1.0));
   });
-  const auto solution = core::solve(equations.matrix, equations.gradient);
-  return {model.unlifted(solution.x), solution.singular};
+  const auto factorization = core::factorize(equations.normal.matrix);
+  return {model.unlifted(core::solve(factorization, equations.normal.gradient)),
+          equations.is_rank_deficient(factorization, model.points())};
 }
 
 /// q as a known number, which makes (x, V) linear in it, and then the root of |x(q)|^2 = q (after Bancroft 1985), for
 /// n >= p. Of two roots, V > 0 permitting, that of smaller squared residuals for n > p; for n = p, where both fit, that
-/// nearer to the start. Where there is none, the real part of the pair.
+/// nearer to the start. Where both are complex, noise has left no solution, and their real part is the answer.
 template <class Model, class Real = typename Model::Real>
 [[gnu::noinline]] auto bancroft_form(const Model& model, const SolverOptions& options)
     -> ClosedForm<typename Model::Vector, core::Mask<Real>> {
   constexpr std::size_t P = Model::unknowns;
   const ScoreWeights weigh(options);
   const Real zero(0.0);
-  NormalEquations<Real, P> equations;
+  LiftedEquations<Model> equations;
   auto ones = every<P>(zero);  // the right side of a 1 in every observation: what q is multiplied with
   for_each_point(model, [&](auto j, const auto&) {
     const auto line = model.lifted(j);
     const Real w = weigh(j, model.score(j), zero) * Real(1.0);
-    equations.add(line, w);
+    equations.add(line, model.lifted_size(j), w);
     core::unroll<P>([&](auto i) { ones[i] = core::mul_add(w, line.row[i], ones[i]); });
   });
-  const auto constant = core::solve(equations.matrix, equations.gradient);
-  const auto slope = core::solve(equations.matrix, ones).x;
+  const auto factorization = core::factorize(equations.normal.matrix);
+  const auto constant = core::solve(factorization, equations.normal.gradient);
+  const auto slope = core::solve(factorization, ones);
 
   // |f + q g|^2 = q over the coordinates: a q^2 + 2 b q + c = 0.
   Real a = zero;
@@ -80,8 +114,8 @@ template <class Model, class Real = typename Model::Real>
   Real c = zero;
   core::unroll<Model::positions>([&](auto i) {
     a = core::mul_add(slope[i], slope[i], a);
-    b = core::mul_add(slope[i], constant.x[i], b);
-    c = core::mul_add(constant.x[i], constant.x[i], c);
+    b = core::mul_add(slope[i], constant[i], b);
+    c = core::mul_add(constant[i], constant[i], c);
   });
   const Real discriminant = core::neg_mul_add(a, c, b * b);
   const Real root = core::sqrt(core::max(discriminant, zero));
@@ -91,7 +125,7 @@ template <class Model, class Real = typename Model::Real>
   const Real one_of = core::select(a > zero, larger * core::reciprocal(a), from_product);
   const Real other = core::select(discriminant < zero, one_of, from_product);
   const auto at = [&](const Real& q) {
-    return core::make_vector<P>([&](auto i) { return core::mul_add(q, slope[i], constant.x[i]); });
+    return core::make_vector<P>([&](auto i) { return core::mul_add(q, slope[i], constant[i]); });
   };
   const auto first = at(other);
   const auto second = at(one_of);
@@ -104,7 +138,8 @@ template <class Model, class Real = typename Model::Real>
   const core::Mask<Real> take_second =
       ((second_cost < first_cost) | !(first_cost <= first_cost) | !model.possible(first)) &
       ((second_cost <= second_cost) & model.possible(second));
-  return {core::select<Real>(take_second, second_u, first_u), constant.singular};
+  return {core::select<Real>(take_second, second_u, first_u),
+          equations.is_rank_deficient(factorization, model.points())};
 }
 
 /// One of the closed forms as a solver: its one step goes from the start to the solution.

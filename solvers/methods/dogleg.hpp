@@ -13,9 +13,10 @@ namespace ridgeloc::solvers {
 
 /// Powell's dogleg (1970) on J'WJ dx = J'We, W = diag(s^2): within a radius delta the Gauss-Newton step; else along the
 /// gradient to the minimum of the linearised cost and from there towards the Gauss-Newton step, as far as delta allows.
-/// With r the ratio of actual to predicted reduction of e'We: delta is halved where r < 1/4, and raised to 3 |dx| where
-/// r > 3/4. A step that would make e'We grow is rejected: it counts and does not meet the stop rule. Where J'WJ is
-/// singular the path ends on the gradient.
+/// With r the ratio of actual to predicted reduction of e'We: where r < 1/4, delta becomes half of the shorter of delta
+/// and |dx|; where r > 3/4, it becomes 3 |dx| if that is longer. A step that would make e'We grow is rejected: it
+/// counts and does not meet the stop rule. Where J'WJ is singular the path ends on the gradient. Lengths are those of
+/// the unknowns, which for pseudoranges are scaled and include the image distance where it is one.
 struct TrustRegionDogleg : MethodDefaults {
   template <std::size_t P>
   static constexpr std::size_t memory_size = 1;  ///< delta
@@ -42,7 +43,7 @@ struct TrustRegionDogleg : MethodDefaults {
     const Vector& g = equations.gradient;
     const Real delta = select(iteration < Real(0.5), Real(options.trust_radius_m), memory[0]);
 
-    const auto newton = core::solve(equations.matrix, g);
+    const auto newton = core::solve(equations.matrix, g, model.observations());
     const Real curvature = core::dot(g, core::multiply(equations.matrix, g));
     const Real squared_gradient = core::dot(g, g);
     const Vector cauchy =
@@ -78,7 +79,7 @@ struct TrustRegionDogleg : MethodDefaults {
     // A comparison with NaN is false, so a step that is not a number is accepted and ends as "non_finite".
     const core::Mask<Real> rejected = change > zero;
     const core::Mask<Real> nowhere = newton.singular & (curvature <= zero);
-    return {core::select<Real>(rejected, every<P>(zero), du), nowhere, !rejected, {}};
+    return unless<Real>(rejected, du, nowhere);
   }
 };
 

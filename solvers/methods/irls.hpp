@@ -76,7 +76,7 @@ struct Reweighting : MethodDefaults {
   template <class Model, class Vector, class Real, class Oracle, class Memory>
   Step<Real, Model::unknowns> step(const Model& model, const Vector& u, const Real&, const Oracle*, Memory&) const {
     const auto equations = normal_equations(model, u, weights(model, u));
-    const auto solution = core::solve(equations.matrix, equations.gradient);
+    const auto solution = core::solve(equations.matrix, equations.gradient, model.observations());
     return {solution.x, solution.singular, !solution.singular, {}};
   }
 

@@ -44,14 +44,14 @@ struct Damped : MethodDefaults {
     auto a = equations.matrix;
     const Real mu = lazy ? memory[0] : select(iteration < Real(0.5), Real(first_damping), memory[0]);
     core::unroll<Model::unknowns>([&](auto i) { a(i, i) = mul_add(mu, a(i, i), a(i, i)); });
-    const auto solution = core::solve(a, equations.gradient);
+    const auto solution = core::solve(a, equations.gradient, model.observations());
 
     // A comparison with NaN is false, so a step that is not a number is accepted and ends as "non_finite".
     const Real zero(0.0);
     const core::Mask<Real> rejected = weighted_squares_change(model, u, solution.x, ScoreWeights(options)) > zero;
     const Real raised = select(mu > zero, mu * Real(damping_factor), Real(first_damping));
     memory[0] = select(rejected, raised, mu * Real(1.0 / damping_factor));
-    return {core::select<Real>(rejected, every<Model::unknowns>(zero), solution.x), solution.singular, !rejected, {}};
+    return unless<Real>(rejected, solution.x, solution.singular);
   }
 };
 

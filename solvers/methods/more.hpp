@@ -51,7 +51,8 @@ struct More : MethodDefaults {
     const Real reach = Real(100.0) * scaled_length(u);
     Real delta = select(first, select(reach > zero, reach, Real(100.0)), memory[0]);
 
-    const Damping<Real, P> damping = damping_for(equations, squared_scale, scaled_length, delta, memory[1]);
+    const Damping<Real, P> damping =
+        damping_for(equations, model.observations(), squared_scale, scaled_length, delta, memory[1]);
     const Real length = scaled_length(damping.du);
     const core::Mask<Real> unmoved = memory[2] < Real(0.5);
     delta = select(unmoved & (length < delta), length, delta);
@@ -83,7 +84,7 @@ struct More : MethodDefaults {
     // comparison with NaN is false, so a step that is not a number passes too, and ends as "non_finite".
     const core::Mask<Real> rejected = (ratio < Real(1e-4)) & (predicted > Real(1e-15));
     memory[2] = select(rejected, memory[2], one);
-    return {core::select<Real>(rejected, every<P>(zero), damping.du), damping.singular, !rejected, {}};
+    return unless<Real>(rejected, damping.du, damping.singular);
   }
 
  private:
@@ -98,7 +99,7 @@ struct More : MethodDefaults {
   /// most ten Newton steps on 1 / |D du|, held within bounds. Where J'WJ is singular, lmpar takes the basic solution of
   /// its pivoted QR for the Gauss-Newton step; there is none here, and the search begins at a thousandth of the bound.
   template <class Real, std::size_t P, class Length>
-  static Damping<Real, P> damping_for(const NormalEquations<Real, P>& equations,
+  static Damping<Real, P> damping_for(const NormalEquations<Real, P>& equations, std::size_t observations,
                                       const core::Vector<Real, P>& squared_scale, const Length& scaled_length,
                                       const Real& delta, const Real& previous) {
     using core::select;
@@ -114,7 +115,7 @@ struct More : MethodDefaults {
       const auto z = core::make_vector<P>([&](auto k) { return squared_scale[k] * du[k] * inverse_length; });
       return excess * core::reciprocal(delta * core::dot(z, core::solve(matrix, z).x));
     };
-    const auto undamped = core::solve(equations.matrix, equations.gradient);
+    const auto undamped = core::solve(equations.matrix, equations.gradient, observations);
     const Real undamped_length = scaled_length(undamped.x);
     const Real undamped_excess = undamped_length - delta;
     const Real tolerance = Real(0.1) * delta;
@@ -141,7 +142,7 @@ struct More : MethodDefaults {
     for (int i = 0; i < most_steps && core::any(searching); ++i) {
       mu = select(mu <= zero, Real(1e-3) * upper, mu);
       const auto matrix = damped(mu);
-      const auto solution = core::solve(matrix, equations.gradient);
+      const auto solution = core::solve(matrix, equations.gradient, observations);
       const Real length = scaled_length(solution.x);
       const Real excess = length - delta;
       out.du = core::select<Real>(searching, solution.x, out.du);

@@ -3,10 +3,12 @@
 #include <array>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 
 #include "solvers/estimators/k_kernels.hpp"
 #include "solvers/methods/ridge_weights.hpp"
 #include "solvers/methods/step.hpp"
+#include "solvers/models/kernel_size.hpp"
 #include "solvers/models/least_squares.hpp"
 #include "solvers/models/weight.hpp"
 #include "solvers/objective.hpp"
@@ -24,7 +26,8 @@ enum class RidgeKind {
 /// at every iteration (RRR paper, eqs. 10, 12, 13, 14).
 ///
 /// W is diag(s^2), or the robust weights of weight.hpp at x_k. An estimator of K that learns from the data gets one
-/// least-squares step dx_ls at x_k, with W = diag(s^2) in either case, and sigma2 = e'We / n at x_k - dx_ls.
+/// least-squares step dx_ls at x_k, with W = diag(s^2) in either case, and sigma2 = e'We / n at x_k - dx_ls, what is
+/// known of v among the n observations.
 template <bool robust, RidgeKind kind>
 struct RidgeMethod : MethodDefaults {
   static constexpr bool has_k = true;
@@ -91,7 +94,7 @@ struct RidgeMethod : MethodDefaults {
       const Vector pull = core::multiply(k, core::subtract(u, model.start()));
       core::unroll<P>([&](auto i) { equations.gradient[i] = equations.gradient[i] + pull[i]; });
     }
-    const auto solution = core::solve(equations.matrix, equations.gradient);
+    const auto solution = core::solve(equations.matrix, equations.gradient, model.observations());
     const core::Mask<Real> singular = ols.singular | solution.singular;
     return {solution.x, singular, !singular, core::diagonal(k)};
   }
@@ -126,30 +129,33 @@ struct RidgeMethod : MethodDefaults {
 
   template <class Model, class Vector, class Real = typename Model::Real>
   void solve_least_squares(const Model& model, const Vector& u, LeastSquares<Real, Model::unknowns>& ols) const {
-    const auto solution = core::solve(ols.equations.matrix, ols.equations.gradient);
+    const auto solution = core::solve(ols.equations.matrix, ols.equations.gradient, model.observations());
     ols.ols_step = solution.x;
     ols.singular = solution.singular;
     if (!plain && options.ols_mode == OlsMode::Full) ols.ols_step = full_least_squares(options, model, u, ols);
   }
 
+  /// What is known of v is one of the n observations, and its weighted squared residual one of the squares, in every
+  /// sigma2.
   template <class Model, class Vector, class Real, std::size_t P>
   void fill_variance(const Model& model, const Vector& u, const KTraits& estimator, KContext<Real, P>& c) const {
     const ScoreWeights scores(options);
-    const auto n = static_cast<double>(model.points());
+    const auto squares_at = [&](const Vector& at) {
+      return weighted_squares(model, at, scores) + model.prior_squares(at);
+    };
+    const auto n = static_cast<double>(c.observations);
     const bool by_dof = !plain && options.sigma2_source == Sigma2Source::Dof;
-    if (estimator.needs_squares || by_dof) c.squares = weighted_squares(model, u, scores) + model.prior_squares(u);
+    if (estimator.needs_squares || by_dof) c.squares = squares_at(u);
     if (by_dof) {
-      const auto freedom = static_cast<double>(c.observations) - static_cast<double>(P);
       // At the end of Gauss-Newton the linearised problem has nothing left to fit.
-      const Vector end = core::subtract(u, c.ols_step);
       const Real rest = options.ols_mode == OlsMode::Full
-                            ? weighted_squares(model, end, scores) + model.prior_squares(end)
+                            ? squares_at(core::subtract(u, c.ols_step))
                             : core::max(c.squares - core::dot(c.least_squares.gradient, c.ols_step), Real(0.0));
-      c.sigma2 = rest * core::reciprocal(Real(freedom));
+      c.sigma2 = rest * core::reciprocal(Real(n - static_cast<double>(P)));
     } else if (!plain && options.sigma2_source == Sigma2Source::Prior) {
       c.sigma2 = Real(options.sigma_prior_m * options.sigma_prior_m);
     } else {
-      c.sigma2 = weighted_squares(model, core::subtract(u, c.ols_step), scores) * Real(1.0 / n);
+      c.sigma2 = squares_at(core::subtract(u, c.ols_step)) * Real(1.0 / n);
     }
   }
 };
@@ -161,9 +167,12 @@ struct Ridge : SolverDefaults {
   static constexpr bool is_least_squares = false;
   static constexpr Objective anchored = Objective::none("pulls to the start: biased on purpose");
 
-  using Variants = std::tuple<RidgeMethod<robust, RidgeKind::Paper>, RidgeMethod<robust, RidgeKind::Plain>,
-                              RidgeMethod<robust, RidgeKind::General>>;
+  using Specialized = std::tuple<RidgeMethod<robust, RidgeKind::Paper>, RidgeMethod<robust, RidgeKind::Plain>,
+                                 RidgeMethod<robust, RidgeKind::General>>;
+  using Variants =
+      std::conditional_t<has_specialized_kernels, Specialized, std::tuple<RidgeMethod<robust, RidgeKind::General>>>;
   static std::size_t variant(const SolverOptions& o) {
+    if (!has_specialized_kernels) return 0;
     const bool plain = o.normalize_weights == NormalizeWeights::Off && o.irls_residual == IrlsResidual::Current &&
                        o.ols_mode == OlsMode::Step && o.ridge_anchor == RidgeAnchor::Current &&
                        o.sigma2_source == Sigma2Source::NonlinearMs;

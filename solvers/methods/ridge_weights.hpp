@@ -28,7 +28,7 @@ typename Model::Vector full_least_squares(const SolverOptions& options, const Mo
   core::Mask<Real> going = (!first.singular) & (tolerance <= model.squared_move(first.ols_step));
   for (int i = 1; i < options.max_iterations && core::any(going); ++i) {
     const auto equations = normal_equations(model, at, scores);
-    const auto solution = core::solve(equations.matrix, equations.gradient);
+    const auto solution = core::solve(equations.matrix, equations.gradient, model.observations());
     const Real move = model.squared_move(solution.x);
     going = going & (!solution.singular) & core::is_finite(move);
     at = core::select<Real>(going, core::subtract(at, solution.x), at);

@@ -24,11 +24,19 @@ namespace ridgeloc::solvers {
 /// What a method proposes at one iterate.
 template <class Real, std::size_t P>
 struct Step {
-  core::Vector<Real, P> du;   ///< u <- u - du
-  core::Mask<Real> singular;  ///< a matrix could not be inverted: no step
-  core::Mask<Real> accepted;  ///< whether a short step may meet the stop rule
-  core::Vector<Real, P> k;    ///< the ridge parameter used, for methods that have one
+  core::Vector<Real, P> du;          ///< u <- u - du
+  core::Mask<Real> singular;         ///< a matrix could not be inverted: no step
+  core::Mask<Real> accepted;         ///< whether a short step may meet the stop rule
+  core::Vector<Real, P> k;           ///< the ridge parameter used, for methods that have one
+  core::Vector<Real, P> proposed{};  ///< du before it was rejected, for methods that may reject it
 };
+
+/// A step that is not taken in some lanes: it counts, and does not meet the stop rule.
+template <class Real, std::size_t P>
+[[gnu::always_inline]] inline Step<Real, P> unless(const core::Mask<Real>& rejected, const core::Vector<Real, P>& du,
+                                                   const core::Mask<Real>& singular) {
+  return {core::select<Real>(rejected, every<P>(Real(0.0)), du), singular, !rejected, {}, du};
+}
 
 /// What a method carries from step to step; zeros at first.
 template <class Real, std::size_t Size>

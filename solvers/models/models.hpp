@@ -10,13 +10,13 @@
 
 namespace ridgeloc::solvers {
 
-/// Calls f with the model, as std::type_identity, that a batch and the options ask for. Pseudoranges have small
-/// kernels, whatever `size` says.
+/// Calls f with the model, as std::type_identity, that a batch and the options ask for. Pseudoranges, and ranges with a
+/// known height, have small kernels, whatever `size` says.
 template <class Real, KernelSize size, class F>
 void with_model(const core::ProblemBatch& problems, const SolverOptions& options, F f) {
   using Narrow = typename core::RealTraits<Real>::Narrow;
+  const bool height_known = options.z_mode == ZMode::Fixed;
   if (problems.has_images()) {
-    const bool height_known = options.z_mode == ZMode::Fixed;
     if (options.v_mode == VMode::Fixed) {
       if (height_known) return f(std::type_identity<PseudorangeModel<Narrow, 2, false>>{});
       return f(std::type_identity<PseudorangeModel<Narrow, 3, false>>{});
@@ -24,7 +24,8 @@ void with_model(const core::ProblemBatch& problems, const SolverOptions& options
     if (height_known) return f(std::type_identity<PseudorangeModel<Narrow, 2, true>>{});
     return f(std::type_identity<PseudorangeModel<Narrow, 3, true>>{});
   }
-  if constexpr (size == KernelSize::Unrolled) {
+  if (height_known) return f(std::type_identity<RangeModel<Narrow, any_points, 2>>{});
+  if constexpr (size == KernelSize::Unrolled && has_specialized_kernels) {
     if (!problems.has_scores() && options.jacobian == Jacobian::Exact) {
       switch (problems.points()) {
         case 3:

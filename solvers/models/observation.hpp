@@ -13,7 +13,8 @@
 ///   position(u), image_distance(u) back to metres and millimetres
 ///   squared_move(du)               |step of the position|^2 (m^2)
 ///   always_in_domain, in_domain(u) where residuals are defined
-///   lifted(j), unlifted(y), possible(y)  the squared equation, linear in y: see solvers/methods/closed_form.hpp
+///   lifted(j), lifted_size(j), unlifted(y), possible(y)  the squared equation, linear in y: see
+///   solvers/methods/closed_form.hpp
 ///   add_prior(u, factor, equations), prior_change(u, du), prior_squares(u)  what is known of v, as one more
 ///   observation observations()                 how many there are with that
 namespace ridgeloc::solvers {

@@ -144,6 +144,14 @@ class PseudorangeModel {
     return {core::make_vector<unknowns>([&](auto i) { return i < Positions ? Real(2.0) * p[i < 3 ? i : 0] : alpha; }),
             core::dot(p, p) - rho};
   }
+  /// How large the numbers are whose difference row j of the lifted equation is.
+  Vector lifted_size(std::size_t j) const {
+    const core::Vector3<Real> p = point(j);
+    return core::make_vector<unknowns>([&](auto i) {
+      if constexpr (i < Positions) return Real(2.0) * (core::abs(p[i]) + core::abs(start_position_[i]));
+      return core::abs(load(problems_.alpha(j)));
+    });
+  }
   Vector unlifted(const Vector& y) const {
     core::Vector3<Real> at = start_position_;
     core::unroll<Positions>([&](auto i) { at[i] = at[i] + y[i]; });

@@ -22,7 +22,7 @@ struct ReferenceObjective {
   RobustLoss robust = {};                        ///< Reweighted; scale and lift as `at_estimate` fills them
   double fixed_scale_m = 0.0;                    ///< Reweighted: the scale; 0: 1.4826 median |e_i|
   VMode v_mode = VMode::Free;                    ///< pseudoranges
-  ZMode z_mode = ZMode::Free;                    ///< pseudoranges
+  ZMode z_mode = ZMode::Free;                    ///< Fixed: the height is the start's
   double sigma_prior_m = 0.1;                    ///< weight of the prior on v
   /// Whether a converged trial of the solver must be where the objective says. If not, the gap to the reference is
   /// worth knowing and proves nothing.

@@ -23,7 +23,7 @@ Eigen::Vector3d as_vector(const std::array<double, core::position_parameters>& v
 ReferenceTrial::ReferenceTrial(const core::ProblemBatch& problems, std::size_t trial,
                                const ReferenceObjective& objective)
     : has_images_(problems.has_images()),
-      height_is_free_(!has_images_ || objective.z_mode == ZMode::Free),
+      height_is_free_(objective.z_mode == ZMode::Free),
       distance_is_free_(has_images_ && objective.v_mode != VMode::Fixed) {
   for (std::size_t axis = 0; axis < core::position_parameters; ++axis) {
     start_.position[axis] = problems.start(axis)[trial];

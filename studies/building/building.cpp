@@ -24,7 +24,7 @@ class BuildingExperiment : public Experiment, public SolverChoice {
   std::string_view summary() const override {
     return "photos in a building: detection, coarse and fine positioning (RRR paper, Table 1, Fig. 6)";
   }
-  int version() const override { return 2; }
+  int version() const override { return 3; }
   std::uint64_t block_trials() const override { return 512; }
   std::span<const Setting> settings() const override { return building_settings(); }
   const results::Schema& schema() const override { return building::schema(); }

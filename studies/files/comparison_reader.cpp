@@ -25,9 +25,6 @@ Comparison read_comparison(const toml::table& table, const Study& study) {
   if (std::ranges::find(study.comparisons, pair) != study.comparisons.end()) {
     fail_at(table, fmt::format("\"{}\" is compared with \"{}\" twice", pair[0], pair[1]));
   }
-  if (std::ranges::find(labels, label_of(pair)) != labels.end()) {
-    fail_at(table, fmt::format("the comparison \"{}\" and a [[method]] have the same name", label_of(pair)));
-  }
   return pair;
 }
 
@@ -38,10 +35,18 @@ void read_comparisons(const toml::table& document, Study& study) {
   if (node == nullptr) {
     for (std::size_t m = 1; m < study.methods.size(); ++m)
       study.comparisons.push_back({study.methods[m].label, study.methods[0].label});
-    return;
+  } else {
+    for (const toml::table* table : read_tables(*node, "compare"))
+      study.comparisons.push_back(read_comparison(*table, study));
   }
-  for (const toml::table* table : read_tables(*node, "compare"))
-    study.comparisons.push_back(read_comparison(*table, study));
+  const auto clash = named_like_a_method(study);
+  if (!clash) return;
+  const toml::array& methods = *document.get("method")->as_array();
+  const auto method = std::ranges::find(study.methods, label_of(*clash), &Method::label);
+  fail_at(methods[static_cast<std::size_t>(method - study.methods.begin())],
+          fmt::format("the name \"{0}\" of this [[method]] is that of the comparison of \"{1}\" with \"{2}\"; choose "
+                      "another name, or other comparisons ([[compare]]; compare = [] for none)",
+                      label_of(*clash), (*clash)[0], (*clash)[1]));
 }
 
 }  // namespace ridgeloc::studies

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <functional>
 
+#include "results/figures/figure_names.hpp"
 #include "results/schema/text.hpp"
 #include "studies/files/sections.hpp"
 #include "studies/files/toml_document.hpp"
@@ -55,6 +58,17 @@ void check_distribution(const toml::table& table, const results::FigureSpec& fig
     fail_at(*table.get("y"), fmt::format("kind = \"{}\" takes one metric as y, none that is yes or no", figure.kind));
 }
 
+/// What figures may be called, made of any text: letters of every alphabet, digits, '-', '_' and '.', other bytes
+/// replaced, and no '.' in front, which would hide the file.
+std::string file_name(const std::string& text) {
+  std::string name = text.substr(std::min(text.find_first_not_of('.'), text.size()));
+  const auto allowed = [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.' || c >= 0x80;
+  };
+  std::ranges::replace_if(name, std::not_fn(allowed), '-');
+  return name.empty() ? "figure" : name;
+}
+
 results::FigureSpec read_figure(const toml::table& table, const Study& study, std::size_t number) {
   check_keys(table, "[[figure]]",
              {"name", "title", "kind", "x", "y", "statistic", "group", "facet", "methods", "where", "log_y", "bounds"});
@@ -77,20 +91,13 @@ results::FigureSpec read_figure(const toml::table& table, const Study& study, st
     if (node == nullptr) fail_at(table, fmt::format("[[figure]] lacks {}: {}", key, what));
     return *node;
   };
-  const auto name_allowed = [](const std::string& name) {
-    return !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
-      return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
-    }) && name.front() != '.';
-  };
-
   results::FigureSpec figure;
   const toml::node* name = table.get("name");
   figure.name = name != nullptr ? read_text(*name, "figure.name")
-                : number == 1   ? study.name
-                                : fmt::format("{}-{}", study.name, number);
-  if (!name_allowed(figure.name)) {
-    fail_at(name != nullptr ? *name : static_cast<const toml::node&>(table),
-            fmt::format("figure name \"{}\" is not allowed: letters, digits, '-', '_' and '.'", figure.name));
+                : number == 1   ? file_name(study.name)
+                                : fmt::format("{}-{}", file_name(study.name), number);
+  if (figure.name != file_name(figure.name)) {
+    fail_at(*name, fmt::format("figure name \"{}\" is not allowed: letters, digits, '-', '_' and '.'", figure.name));
   }
   const auto taken = std::ranges::find(study.figures, figure.name, &results::FigureSpec::name);
   if (taken != study.figures.end()) fail_at(table, fmt::format("two figures are called \"{}\"", figure.name));
@@ -105,7 +112,7 @@ results::FigureSpec read_figure(const toml::table& table, const Study& study, st
   if (figure.kind != "curve") check_distribution(table, figure, *study.experiment);
   if (const toml::node* node = table.get("title")) figure.title = read_text(*node, "figure.title");
   if (const toml::node* node = table.get("statistic")) {
-    figure.statistic = read_text(*node, "figure.statistic", {"mean", "median", "rms"});
+    figure.statistic = read_text(*node, "figure.statistic", results::figure_statistics());
   }
   if (const toml::node* node = table.get("group")) figure.group = read_texts(*node, "figure.group", groups);
   if (const toml::node* node = table.get("facet")) figure.facet = read_text(*node, "figure.facet", groups);

@@ -239,8 +239,8 @@ Building at_random(const toml::table& table, const std::string& label) {
   const auto read = [&](const char* key, auto standard, std::int64_t low, std::int64_t high) {
     const toml::node* node = table.get(key);
     if (node == nullptr) return standard;
-    const auto value = node->value<std::int64_t>();
-    if (!node->is_integer() || *value < low || *value > high) {
+    const auto value = whole_number(*node);
+    if (!value || *value < low || *value > high) {
       fail_at(*node, fmt::format("{}.{} = {} is not allowed: it takes a whole number from {} to {}", label, key,
                                  text_of(*node), low, high));
     }

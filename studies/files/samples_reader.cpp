@@ -1,11 +1,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <vector>
 
 #include "core/error.hpp"
-#include "studies/files/csv_column.hpp"
 #include "studies/files/toml_document.hpp"
 
 namespace ridgeloc::studies {
@@ -29,18 +27,10 @@ std::vector<double> listed(const toml::array& list, const std::string& label) {
 
 std::vector<double> from_file(const toml::table& table, const std::string& label) {
   check_keys(table, label, {"file", "column"});
-  const auto text = [&](const char* key) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) fail_at(table, fmt::format("{} lacks {}; give {{ file = ..., column = ... }}", label, key));
-    return read_text(*node, fmt::format("{}.{}", label, key));
-  };
-  const std::string column = text("column");
-  const std::filesystem::path path = folder_of(*table.get("file")) / text("file");
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) {
-    fail_at(*table.get("file"), fmt::format("{}.file: there is no file {}", label, path.string()));
-  }
-  return read_csv_column(path, column, most_samples + 1);
+  const toml::node* node = table.get("column");
+  if (node == nullptr) fail_at(table, fmt::format("{} lacks column; give {{ file = ..., column = ... }}", label));
+  const std::string column = read_text(*node, fmt::format("{}.column", label));
+  return std::move(read_columns_of(table, label, {column}, most_samples + 1).front());
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "results/util/file_system.hpp"
 #include "studies/catalog/catalog.hpp"
 #include "studies/files/sections.hpp"
@@ -107,6 +108,18 @@ void check_conditions(const toml::table& document, const std::string& origin, co
   }
 }
 
+/// Refuses { file = ... } wherever it stands: whoever wrote a result does not choose what is read on this machine.
+void refuse_files(const toml::node& node) {
+  if (const toml::array* list = node.as_array())
+    for (const toml::node& element : *list) refuse_files(element);
+  const toml::table* table = node.as_table();
+  if (table == nullptr) return;
+  if (const toml::node* file = table->get("file"))
+    fail_at(*file,
+            "the study inside a result names a file, which is not read; a result holds all that its study needs");
+  for (const auto& [key, value] : *table) refuse_files(value);
+}
+
 }  // namespace
 
 bool is_read(const Study& study, const Setting& setting) {
@@ -125,13 +138,15 @@ StudySource find_study(std::string_view path_or_name) {
   if (const CatalogEntry* entry = find_in_catalog(path_or_name)) {
     return {std::string(entry->name), std::string(entry->name), std::string(entry->text)};
   }
+  // Whatever can be read once: a script may write a study into a pipe.
   const std::filesystem::path path(path_or_name);
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) {
+  const auto status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status) || std::filesystem::is_directory(status)) {
     std::vector<std::string> names;
     for (const CatalogEntry& entry : catalog()) names.emplace_back(entry.name);
     throw core::InputError(fmt::format("{}: no such study file, and no study of that name in the catalog{}",
-                                       path_or_name, suggestion(path_or_name, names)));
+                                       core::excerpt(path_or_name), suggestion(path_or_name, names)));
   }
   if (results::begins_as_hdf5(path)) {
     throw core::InputError(fmt::format(
@@ -147,6 +162,7 @@ StudySource find_study(std::string_view path_or_name) {
 Study read_study(const StudySource& source, std::span<const std::string> overrides,
                  std::span<const Experiment* const> experiments) {
   const toml::table document = parse_document(source.text, source.origin, overrides);
+  if (!source.may_name_files) refuse_files(document);
 
   Study study;
   study.name = source.name;

@@ -13,6 +13,7 @@ struct StudySource {
   std::string name;    ///< file name without extension, or catalog name
   std::string origin;  ///< path or catalog name, as messages give it
   std::string text;
+  bool may_name_files = true;  ///< false: of a study inside a result, which holds all that it needs
 };
 
 /// Finds a study: a catalog name, or else the path of a file.

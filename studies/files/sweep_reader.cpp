@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "studies/files/decimal_range.hpp"
 #include "studies/files/sections.hpp"
 #include "studies/files/toml_document.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::size_t max_axis_values = 100'000;
 
-/// {from = a, to = b, step = s}: a, a + s, ... up to b, each rounded to 12 digits so that 0.1 + 2 * 0.1 is 0.3.
+/// {from = a, to = b, step = s}: a, a + s, ..., b.
 toml::array expand_range(const toml::table& range, const Setting& setting) {
   const std::string label = fmt::format("sweep.{}", setting.name);
   check_keys(range, label, {"from", "to", "step"});
@@ -30,14 +31,18 @@ toml::array expand_range(const toml::table& range, const Setting& setting) {
   const double from = part("from");
   const double to = part("to");
   const double step = part("step");
-  const double count = std::floor((to - from) / step * (1.0 + 1e-12) + 1e-9);
-  if (step == 0.0 || !(count >= 0.0) || count >= static_cast<double>(max_axis_values)) {
+  const DecimalRange expanded = decimal_range(from, to, step, max_axis_values);
+  if (expanded.values.empty()) {
     fail_at(range, fmt::format("{}: from {} to {} in steps of {} is no range of 1 to {} values", label, from, to, step,
                                max_axis_values));
   }
+  if (!expanded.reaches_end) {
+    fail_at(range, fmt::format("{}: from {} in steps of {} comes to {} and {}, not to {}; let the range end at one of "
+                               "them",
+                               label, from, step, expanded.values.back(), expanded.beyond, to));
+  }
   toml::array values;
-  for (std::size_t i = 0; i <= static_cast<std::size_t>(count); ++i) {
-    const double value = std::stod(fmt::format("{:.12g}", from + static_cast<double>(i) * step));
+  for (const double value : expanded.values) {
     if (setting.kind == Kind::Integer && value == std::floor(value)) {
       values.push_back(static_cast<std::int64_t>(value));
     } else {
@@ -49,7 +54,7 @@ toml::array expand_range(const toml::table& range, const Setting& setting) {
 
 SweepAxis read_axis(const toml::node& node, const Setting& setting) {
   const std::string label = fmt::format("sweep.{}", setting.name);
-  if (setting.kind == Kind::Samples || setting.kind == Kind::Building) {
+  if (setting.kind == Kind::Samples || setting.kind == Kind::Positions || setting.kind == Kind::Building) {
     fail_at(node, fmt::format("{} cannot be swept; make one study of each", setting.name));
   }
   SweepAxis axis{&setting, {}};

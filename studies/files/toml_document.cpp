@@ -10,6 +10,8 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
+#include "studies/files/csv_columns.hpp"
 
 namespace ridgeloc::studies {
 
@@ -26,15 +28,18 @@ toml::table parse(std::string_view text, const std::string& origin) {
   }
 }
 
+/// The key of an override as a position below `end` in a list of `size`.
+std::size_t position_in(std::size_t size, std::size_t end, const std::string& key, const std::string& origin) {
+  std::size_t index = 0;
+  const auto [rest, failure] = std::from_chars(key.data(), key.data() + key.size(), index);
+  if (failure == std::errc{} && rest == key.data() + key.size() && index < end) return index;
+  throw core::InputError(
+      fmt::format("{}: \"{}\" is not a position in a list of {} (they count from 0)", origin, key, size));
+}
+
 /// Follows one key of an override's path, making tables that are not there.
 toml::node& descend(toml::node& node, const std::string& key, const std::string& origin) {
-  if (toml::array* array = node.as_array()) {
-    std::size_t index = 0;
-    const auto [end, failure] = std::from_chars(key.data(), key.data() + key.size(), index);
-    if (failure == std::errc{} && end == key.data() + key.size() && index < array->size()) return (*array)[index];
-    throw core::InputError(
-        fmt::format("{}: \"{}\" is not a position in a list of {} (they count from 0)", origin, key, array->size()));
-  }
+  if (toml::array* array = node.as_array()) return (*array)[position_in(array->size(), array->size(), key, origin)];
   if (toml::table* table = node.as_table()) {
     if (!table->contains(key))
       table->insert(key, std::move(*toml::parse("new = {}", origin).get_as<toml::table>("new")));
@@ -43,8 +48,24 @@ toml::node& descend(toml::node& node, const std::string& key, const std::string&
   throw core::InputError(fmt::format("{}: \"{}\" lies inside a value that is not a table", origin, key));
 }
 
+/// Puts a value where the last key of an override's path says: in a list in place of an entry, or behind all of them.
+void place(toml::node& parent, const std::string& key, toml::node&& value, const std::string& origin) {
+  // Moved, not copied: copies of nodes forget where they came from.
+  std::move(value).visit([&](auto&& moved) {
+    if (toml::table* table = parent.as_table()) {
+      table->insert_or_assign(key, std::forward<decltype(moved)>(moved));
+    } else if (toml::array* array = parent.as_array()) {
+      const std::size_t index = position_in(array->size(), array->size() + 1, key, origin);
+      if (index < array->size()) array->erase(array->cbegin() + static_cast<std::ptrdiff_t>(index));
+      array->insert(array->cbegin() + static_cast<std::ptrdiff_t>(index), std::forward<decltype(moved)>(moved));
+    } else {
+      throw core::InputError(fmt::format("{}: \"{}\" lies inside a value that is not a table", origin, key));
+    }
+  });
+}
+
 void apply_override(toml::table& document, const std::string& text) {
-  const std::string origin = std::string(override_prefix) + text;
+  const std::string origin = std::string(override_prefix) + core::excerpt(text);
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos) {
     throw core::InputError(fmt::format("{}: expected KEY=VALUE, for example scene.depth_m=[2,15]", origin));
@@ -67,12 +88,7 @@ void apply_override(toml::table& document, const std::string& text) {
     node = &descend(*node, path.substr(begin, dot - begin), origin);
     begin = dot + 1;
   }
-  toml::table* parent = node->as_table();
-  if (parent == nullptr) throw core::InputError(fmt::format("{}: \"{}\" is not a table", origin, path));
-  // Moved, not copied: copies of nodes forget where they came from.
-  std::move(*parsed.get("value")).visit([&](auto&& moved) {
-    parent->insert_or_assign(path.substr(begin), std::forward<decltype(moved)>(moved));
-  });
+  place(*node, path.substr(begin), std::move(*parsed.get("value")), origin);
 }
 
 /// A finite number, whole or not.
@@ -82,13 +98,31 @@ std::optional<double> number(const toml::node& node) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+/// As an array or table of the document has it, in one line.
+std::string inline_text(const toml::node& node) {
+  std::string text;
+  if (const toml::array* array = node.as_array()) {
+    for (const toml::node& element : *array) text += (text.empty() ? "" : ", ") + inline_text(element);
+    return text.empty() ? "[]" : fmt::format("[ {} ]", text);
+  }
+  if (const toml::table* table = node.as_table()) {
+    for (const auto& [key, value] : *table)
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key.str(), inline_text(value));
+    return text.empty() ? "{}" : fmt::format("{{ {} }}", text);
+  }
+  // The shortest form, not the seventeen digits of the library.
+  if (node.is_floating_point()) return to_toml(Value(*node.value<double>()));
+  std::ostringstream out;
+  node.visit([&](const auto& concrete) { out << concrete; });
+  return out.str();
+}
+
 std::optional<Value> read_value(const toml::node& node, const Setting& s) {
   const auto within = [&s](double v) { return s.low <= v && v <= s.high; };
   switch (s.kind) {
     case Kind::Integer: {
-      if (!node.is_integer()) return std::nullopt;
-      const std::int64_t value = *node.value<std::int64_t>();
-      return within(static_cast<double>(value)) ? std::optional<Value>(value) : std::nullopt;
+      const std::optional<std::int64_t> value = whole_number(node);
+      return value && within(static_cast<double>(*value)) ? std::optional<Value>(*value) : std::nullopt;
     }
     case Kind::Real: {
       const auto value = number(node);
@@ -112,6 +146,7 @@ std::optional<Value> read_value(const toml::node& node, const Setting& s) {
       return valid ? std::optional<Value>(Interval{*low, *high}) : std::nullopt;
     }
     case Kind::Samples:  // never here: they have messages of their own
+    case Kind::Positions:
     case Kind::Building:
       break;
   }
@@ -139,13 +174,10 @@ std::string place_of(const toml::node& node) {
 }
 
 std::string text_of(const toml::node& node) {
-  constexpr std::size_t longest = 60;
-  std::ostringstream out;
-  node.visit([&](const auto& concrete) { out << concrete; });
-  std::istringstream words(out.str());
+  std::istringstream words(inline_text(node));
   std::string text;
   for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word;
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+  return core::excerpt(text);
 }
 
 std::filesystem::path folder_of(const toml::node& node) {
@@ -158,6 +190,14 @@ void fail_at(const toml::node& node, const std::string& message) {
   throw core::InputError(place_of(node) + ": " + message);
 }
 
+std::optional<std::int64_t> whole_number(const toml::node& node) {
+  if (node.is_integer()) return *node.value<std::int64_t>();
+  const auto real = node.is_floating_point() ? node.value<double>() : std::nullopt;
+  constexpr double exact = 9007199254740992.0;  // 2^53; from there on doubles skip whole numbers
+  if (!real || !(std::fabs(*real) <= exact) || *real != std::floor(*real)) return std::nullopt;
+  return static_cast<std::int64_t>(*real);
+}
+
 std::string suggestion(std::string_view name, const std::vector<std::string>& candidates) {
   const std::string nearest = nearest_name(name, candidates);
   if (!nearest.empty()) return fmt::format(" (did you mean \"{}\"?)", nearest);
@@ -167,12 +207,14 @@ std::string suggestion(std::string_view name, const std::vector<std::string>& ca
 void check_keys(const toml::table& table, std::string_view table_name, const std::vector<std::string>& allowed) {
   for (const auto& [key, node] : table) {
     if (std::ranges::find(allowed, key.str()) != allowed.end()) continue;
-    fail_at(node, fmt::format("unknown key \"{}\" in {}{}", key.str(), table_name, suggestion(key.str(), allowed)));
+    fail_at(node, fmt::format("unknown key \"{}\" in {}{}", core::excerpt(key.str()), table_name,
+                              suggestion(key.str(), allowed)));
   }
 }
 
 Value read_setting(const toml::node& node, const Setting& setting, const std::string& label) {
   if (setting.kind == Kind::Samples) return read_samples(node, setting, label);
+  if (setting.kind == Kind::Positions) return read_positions(node, setting, label);
   if (setting.kind == Kind::Building) return read_building(node, setting, label);
   auto value = read_value(node, setting);
   if (value) return *value;
@@ -185,12 +227,23 @@ Value read_setting(const toml::node& node, const Setting& setting, const std::st
           fmt::format("{} = {} is not allowed: {} takes {}{}", label, text_of(node), label, accepted(setting), hint));
 }
 
+std::vector<std::vector<double>> read_columns_of(const toml::table& table, const std::string& label,
+                                                 const std::vector<std::string>& columns, std::size_t most) {
+  const toml::node* file = table.get("file");
+  if (file == nullptr) fail_at(table, fmt::format("{} lacks file; give {{ file = \"NAME.csv\", ... }}", label));
+  const std::filesystem::path path = folder_of(*file) / read_text(*file, fmt::format("{}.file", label));
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+    fail_at(*file, fmt::format("{}.file: there is no file {}", label, path.string()));
+  return read_csv_columns(path, columns, most);
+}
+
 std::string read_text(const toml::node& node, const std::string& label, const std::vector<std::string>& choices) {
   if (!node.is_string())
     fail_at(node, fmt::format("{} = {} is not allowed: {} takes a text", label, text_of(node), label));
   auto text = *node.value<std::string>();
   if (!choices.empty() && std::ranges::find(choices, text) == choices.end()) {
-    fail_at(node, fmt::format("{}: unknown \"{}\"{}", label, text, suggestion(text, choices)));
+    fail_at(node, fmt::format("{}: unknown \"{}\"{}", label, core::excerpt(text), suggestion(text, choices)));
   }
   return text;
 }

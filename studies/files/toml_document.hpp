@@ -4,7 +4,9 @@
 
 #include <toml++/toml.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +28,9 @@ bool is_override(const toml::node& node);
 /// A value as messages quote it: on one line, shortened where it is long.
 std::string text_of(const toml::node& node);
 
+/// A whole number, also where it is written as a real one (1e6), as far as doubles hold each of them: up to 2^53.
+std::optional<std::int64_t> whole_number(const toml::node& node);
+
 /// Folder that paths in a node start from: that of its study file; for an override the working directory, as for all
 /// that is typed there.
 std::filesystem::path folder_of(const toml::node& node);
@@ -44,6 +49,13 @@ Value read_setting(const toml::node& node, const Setting& setting, const std::st
 
 /// Reads a list of numbers, which may be empty, or a column of a CSV file.
 Samples read_samples(const toml::node& node, const Setting& setting, const std::string& label);
+
+/// Reads a list of positions, which may be empty, or columns of a CSV file.
+Positions read_positions(const toml::node& node, const Setting& setting, const std::string& label);
+
+/// Reads the file of a table { file = ..., ... }: columns of a CSV file beside the study, `most` rows at most.
+std::vector<std::vector<double>> read_columns_of(const toml::table& table, const std::string& label,
+                                                 const std::vector<std::string>& columns, std::size_t most);
 
 /// Reads a map: by name, from a file, made at random, or written where it is used.
 Building read_building(const toml::node& node, const Setting& setting, const std::string& label);

@@ -174,6 +174,9 @@ Plan make_plan(const Study& study, core::Isa isa) {
   for (const Cell& cell : plan.cells) {
     try {
       study.experiment->check(cell.values);
+      for (std::string& remark : remarks_on(*study.experiment, cell.values)) {
+        if (std::ranges::find(plan.remarks, remark) == plan.remarks.end()) plan.remarks.push_back(std::move(remark));
+      }
     } catch (const core::InputError& error) {
       throw core::InputError(fmt::format("{}: {}", study.name, error.what()));
     }

@@ -15,6 +15,7 @@ struct Plan {
   std::vector<Cell> cells;
   core::Isa isa = core::Isa::Baseline;  ///< what the blocks are computed with
   results::Header header;
+  std::vector<std::string> remarks;  ///< what is worth a word about the settings, each said once
 };
 
 /// Lays a study out. Cells are numbered along the axes, the last axis fastest, zipped axes as one.

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "studies/plan/plan.hpp"
 #include "studies/study/capabilities.hpp"
+#include "studies/study/comparison.hpp"
 
 namespace ridgeloc::studies {
 
@@ -191,6 +192,12 @@ Study united(Study study, const Study& other) {
   unite_sweeps(study, other);
   unite_methods(study, other);
   unite_comparisons(study, other);
+  if (const auto clash = named_like_a_method(study)) {
+    throw core::InputError(
+        fmt::format("{}: together with {} it has a method and a comparison that are both called "
+                    "\"{}\"; choose another name for the method",
+                    study.name, other.name, label_of(*clash)));
+  }
   study.trials = std::max(study.trials, other.trials);
   study.trial_columns_mib = std::max(study.trial_columns_mib, other.trial_columns_mib);
   return study;

@@ -8,8 +8,8 @@ namespace ridgeloc::studies {
 
 void normalized_squared_errors(const core::ProblemBatch& problems,
                                const std::array<std::span<const double>, core::position_parameters>& estimate,
-                               const std::array<double, core::position_parameters>& truth_m, double sigma_m,
-                               std::span<double> nees) {
+                               const std::array<std::span<const double>, core::position_parameters>& truth_m,
+                               double sigma_m, std::span<double> nees) {
   std::ranges::fill(nees, 0.0);
   for (std::size_t j = 0; j < problems.points(); ++j) {
     const std::span<const double> x = problems.position(j, 0);
@@ -20,7 +20,7 @@ void normalized_squared_errors(const core::ProblemBatch& problems,
       double along = 0.0;
       double squared_range = 0.0;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        along += to_object[axis] * (estimate[axis][t] - truth_m[axis]);
+        along += to_object[axis] * (estimate[axis][t] - truth_m[axis][t]);
         squared_range += to_object[axis] * to_object[axis];
       }
       nees[t] += along * along / squared_range;

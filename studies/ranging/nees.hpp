@@ -15,7 +15,7 @@ namespace ridgeloc::studies {
 /// One value per trial of `problems`, into `nees`; NaN where an estimate lies on an object or sigma is 0.
 void normalized_squared_errors(const core::ProblemBatch& problems,
                                const std::array<std::span<const double>, core::position_parameters>& estimate,
-                               const std::array<double, core::position_parameters>& truth_m, double sigma_m,
-                               std::span<double> nees);
+                               const std::array<std::span<const double>, core::position_parameters>& truth_m,
+                               double sigma_m, std::span<double> nees);
 
 }  // namespace ridgeloc::studies

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/problem.hpp"
+#include "studies/ranging/given_objects.hpp"
 #include "studies/ranging/ranging_schema.hpp"
 #include "studies/ranging/ranging_settings.hpp"
 #include "studies/ranging/ranging_simulation.hpp"
@@ -17,19 +18,25 @@ namespace {
 
 constexpr std::string_view scene_label = "scene";
 
-class Ranging : public Experiment, public SolverChoice, public ReferenceAudit, public Yardsticks, public TrialCost {
+class Ranging : public Experiment,
+                public SolverChoice,
+                public ReferenceAudit,
+                public Yardsticks,
+                public TrialCost,
+                public Remarks {
  public:
   std::string_view name() const override { return "ranging"; }
   std::string_view summary() const override {
-    return "noisy ranges to objects in a field of view (RRR paper, section 4, Fig. 3)";
+    return "noisy ranges to objects in a field of view (RRR paper, section 4, Fig. 3), or at given places";
   }
-  int version() const override { return 4; }
+  int version() const override { return 5; }
   std::uint64_t block_trials() const override { return 4096; }
   std::span<const Setting> settings() const override { return ranging_settings(); }
   const results::Schema& schema() const override { return ranging::schema(); }
 
   void check(const Values& cell) const override {
     const RangingCell settings(cell);
+    if (settings.given) return check_given_objects(settings);
     const auto before_camera = [](const std::array<double, 2>& interval) {
       return interval[0] > -90.0 && interval[1] < 90.0;
     };
@@ -41,16 +48,25 @@ class Ranging : public Experiment, public SolverChoice, public ReferenceAudit, p
     }
   }
 
+  std::vector<std::string> remarks(const Values& cell) const override {
+    const RangingCell settings(cell);
+    const auto ambiguity = settings.given ? ambiguity_of_given_objects(settings) : std::nullopt;
+    return ambiguity ? std::vector{*ambiguity} : std::vector<std::string>();
+  }
+
   /// The bound is that of normal noise of one level. Over random scenes the mean of its square is finite from two
-  /// observations more than unknowns on.
+  /// observations more than unknowns on; with given objects it is where the camera is at few places, and elsewhere a
+  /// box may hold places where they lie in line.
   results::BoundKind bound(const Values& cell) const override {
     const RangingCell settings(cell);
     if (!has_plain_noise(settings)) return results::BoundKind::None;
     const solvers::SolverOptions options = solver_options(cell, {});
-    const bool knows_height = settings.has_images && options.z_mode == solvers::ZMode::Fixed;
     const bool seeks_distance = settings.has_images && options.v_mode != solvers::VMode::Fixed;
     const bool has_prior = settings.has_images && options.v_mode == solvers::VMode::Prior;
-    const std::size_t unknowns = core::position_parameters - (knows_height ? 1 : 0) + (seeks_distance ? 1 : 0);
+    if (settings.given) {
+      return has_few_camera_places(settings) ? results::BoundKind::RootMeanSquare : results::BoundKind::Quantiles;
+    }
+    const std::size_t unknowns = core::position_parameters - (settings.knows_height ? 1 : 0) + (seeks_distance ? 1 : 0);
     const std::size_t observations = settings.points + (has_prior ? 1 : 0);
     return observations >= unknowns + 2 ? results::BoundKind::RootMeanSquare : results::BoundKind::Quantiles;
   }
@@ -59,8 +75,7 @@ class Ranging : public Experiment, public SolverChoice, public ReferenceAudit, p
   double cost(const Values& cell, const results::Statistics& statistics) const override {
     if (statistics.metrics.empty()) return 0.0;
     const results::Moments& iterations = statistics.metrics[ranging::Iterations].moments;
-    return iterations.mean * static_cast<double>(iterations.n) *
-           static_cast<double>(std::get<std::int64_t>(cell.at("points")));
+    return iterations.mean * static_cast<double>(iterations.n) * static_cast<double>(RangingCell(cell).points);
   }
 
   std::size_t audit_metrics() const override { return audit_metric_count; }
@@ -81,7 +96,7 @@ solver = "rrr"
 
 [[figure]]
 x = "points"
-y = "error_m"
+y = ["error_m", "converged"]
 statistic = "median"
 group = "range_sigma_m"
 facet = "method"

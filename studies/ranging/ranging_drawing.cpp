@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "results/schema/text.hpp"
 #include "solvers/models/least_squares.hpp"
 #include "solvers/models/models.hpp"
 #include "solvers/models/weight.hpp"
@@ -62,7 +63,7 @@ std::vector<double> round_levels(double low, double high) {
     const int last = static_cast<int>(std::floor(std::log10(high)));
     for (int power = first; power <= last; ++power) {
       for (const double digit : digits) {
-        const double level = std::stod(fmt::format("{}e{}", digit, power));
+        const double level = results::decimal_number(digit, power);
         if (level > low && level < high) levels.push_back(level);
       }
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/status.hpp"
 #include "solvers/kernels/trace.hpp"
@@ -199,7 +200,13 @@ Replay replay_ranging(std::uint64_t seed, const Cell& cell, std::span<const Meth
                               {tables.iterations(path.iterates), tables.outcome(solution, packed, scratch.isa),
                                tables.reference(path.reference, estimate_of(solution))}});
   }
-  replay.drawing = ranging_drawing(problems, oracle, solver_options(cell.values, {}), paths);
+  results::Drawing drawing = ranging_drawing(problems, oracle, solver_options(cell.values, {}), paths);
+  if (settings.given) {
+    // The camera looks nowhere.
+    drawing.x_label = "x [m]";
+    drawing.y_label = "y [m]";
+  }
+  replay.drawing = std::move(drawing);
   return replay;
 }
 

@@ -28,25 +28,45 @@ Setting read_by_noise(const Setting& setting) {
 std::vector<Setting> make_settings() {
   const sim::FieldOfView view;
   const sim::NoiseOptions standard;
-  const Condition with_scores{"scores", {"random"}};
-  const Condition for_pseudoranges{"model", {"pseudorange"}};
   const Section scene("scene");
   const Section noise("noise");
+  const Condition with_scores{"scores", {"random"}};
+  const Condition for_pseudoranges{"model", {"pseudorange"}};
+  const Condition if_drawn{"objects", {"drawn"}};
+  const Condition if_given{"objects", {"given"}};
+  constexpr Interval map_m = {-1e5, 1e5};
+  const auto camera_interval = [&](const char* name, const char* axis) {
+    return read_if(if_given,
+                   scene.range(name, {0, 0}, map_m, "m",
+                               std::string("true ") + axis + " of the camera, uniform, where camera_m is empty"));
+  };
   std::vector<Setting> settings = {
       scene.choice("model", {"range", "pseudorange"}, "range",
                    "what is measured: ranges, or pseudoranges in a photo with unknown image distance"),
-      scene.integer("points", 5, {3, 1000}, "number of points"),
-      scene.range("azimuth_deg", view.azimuth_deg, {-180, 180}, "deg", "horizontal field of view, uniform"),
-      scene.range("elevation_deg", view.elevation_deg, {-90, 90}, "deg", "vertical field of view, uniform"),
-      scene.range("depth_m", view.depth_m, {1e-3, 1e5}, "m", "distance of the points from the camera"),
-      scene.choice("depth_distribution", sim::depth_distribution_names, view.depth_distribution,
-                   "uniform in depth, or in volume (density grows with depth^2)"),
+      scene.choice("objects", {"drawn", "given"}, "drawn",
+                   "objects drawn in the field of view of a camera at the origin, or given by objects_m"),
+      read_if(if_drawn, scene.integer("points", 5, {3, 1000}, "number of points")),
+      read_if(if_drawn,
+              scene.range("azimuth_deg", view.azimuth_deg, {-180, 180}, "deg", "horizontal field of view, uniform")),
+      read_if(if_drawn,
+              scene.range("elevation_deg", view.elevation_deg, {-90, 90}, "deg", "vertical field of view, uniform")),
+      read_if(if_drawn,
+              scene.range("depth_m", view.depth_m, {1e-3, 1e5}, "m", "distance of the points from the camera")),
+      read_if(if_drawn, scene.choice("depth_distribution", sim::depth_distribution_names, view.depth_distribution,
+                                     "uniform in depth, or in volume (density grows with depth^2)")),
       scene.real("start_offset_m", view.start_offset_m, {0, 1e5}, "m",
                  "distance of the start from the truth, in a random direction"),
-      scene.choice("camera", {"given", "iphone6"}, "given",
-                   "field of view: as given, or that of an iPhone 6 (61.1 x 47.7 degrees)"),
-      read_if(for_pseudoranges, scene.choice("z_mode", solvers::z_mode_names, solvers::ZMode::Free,
-                                             "height of the camera: an unknown, or known")),
+      read_if(if_drawn, scene.choice("camera", {"given", "iphone6"}, "given",
+                                     "field of view: as given, or that of an iPhone 6 (61.1 x 47.7 degrees)")),
+      read_if(if_given, scene.positions("objects_m", map_m, "where the objects are")),
+      read_if(if_given,
+              scene.integer("objects_used", 0, {0, 1000}, "how many of them, the first ones, are measured; 0: all")),
+      read_if(if_given, scene.positions("camera_m", map_m,
+                                        "true positions of the camera, one of them in each trial; none: as below")),
+      camera_interval("camera_x_m", "x"),
+      camera_interval("camera_y_m", "y"),
+      camera_interval("camera_z_m", "z"),
+      scene.choice("z_mode", solvers::z_mode_names, solvers::ZMode::Free, "height of the camera: an unknown, or known"),
       read_if(for_pseudoranges, scene.real("focal_length_mm", 4.15, {0.1, 1000}, "mm", "focal length of the lens")),
       noise.choice("noise_model", names_of(sim::noise_registry()), "normal", "distribution of the range errors"),
       noise.real("range_sigma_m", standard.range_sigma_m, {0, 1e4}, "m", "standard deviation of the range errors"),
@@ -81,6 +101,10 @@ Enum choice(const std::string& name, const std::array<std::string_view, N>& name
   return static_cast<Enum>(std::ranges::find(names, name) - names.begin());
 }
 
+sim::PositionColumns columns_of(const Positions& positions) {
+  return {positions.column(0), positions.column(1), positions.column(2)};
+}
+
 }  // namespace
 
 std::span<const Setting> ranging_settings() {
@@ -102,7 +126,19 @@ RangingCell::RangingCell(const Values& values)
   }
   view.start_offset_m = get<double>(values, "start_offset_m");
   has_images = get<std::string>(values, "model") == "pseudorange";
-  view.start_at_height = has_images && get<std::string>(values, "z_mode") == "fixed";
+  knows_height = get<std::string>(values, "z_mode") == "fixed";
+  view.start_at_height = knows_height;
+  if (get<std::string>(values, "objects") == "given") {
+    const auto& objects = get<Positions>(values, "objects_m");
+    const auto used = static_cast<std::size_t>(get<std::int64_t>(values, "objects_used"));
+    points = used > 0 ? used : objects.size();
+    given = sim::GivenScene{
+        columns_of(objects),
+        columns_of(get<Positions>(values, "camera_m")),
+        {get<Interval>(values, "camera_x_m"), get<Interval>(values, "camera_y_m"), get<Interval>(values, "camera_z_m")},
+        view.start_offset_m,
+        knows_height};
+  }
   focal_length_mm = get<double>(values, "focal_length_mm");
   if (get<std::string>(values, "noise_is_variance") == "on") range_sigma_m = std::sqrt(range_sigma_m);
   noise = sim::find_noise(get<std::string>(values, "noise_model"));

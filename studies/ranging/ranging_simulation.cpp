@@ -6,7 +6,6 @@
 
 #include "core/problem.hpp"
 #include "core/solution.hpp"
-#include "sim/field_of_view.hpp"
 #include "solvers/solver.hpp"
 #include "studies/ranging/nees.hpp"
 #include "studies/ranging/ranging_replay.hpp"
@@ -32,7 +31,8 @@ struct PreparedMethod {
         entry(solvers::solver_named(given.solver)),
         is_audited(audit > 0.0 && Audit::covers(given.solver, options)) {
     const bool is_printed = options.jacobian == solvers::Jacobian::Printed;
-    has_nees = has_plain_noise(settings) && !settings.has_images && !is_printed && entry.is_least_squares;
+    has_nees = has_plain_noise(settings) && !settings.has_images && !settings.knows_height && !is_printed &&
+               entry.is_least_squares;
   }
 
   Method method;
@@ -56,8 +56,8 @@ class RangingSimulation : public Simulation, public FailureRecount, public Trial
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       const PreparedMethod& method = methods_[m];
       if (!solve(method, oracle, scratch, monitor)) return false;
-      report_method(m, method.options, method.entry.has_k, scratch, sink);
-      if (method.has_nees) report_nees(m, settings_, scratch, sink);
+      report_method(m, method.options, method.entry.has_k, oracle, scratch, sink);
+      if (method.has_nees) report_nees(m, settings_, oracle, scratch, sink);
       if (!method.is_audited) continue;
       if (!audit.fill(method.method.solver, method.options, scratch.solutions, monitor, scratch.audit)) return false;
       for (std::size_t i = 0; i < audit_metric_count; ++i)
@@ -104,11 +104,11 @@ class RangingSimulation : public Simulation, public FailureRecount, public Trial
                            scratch.solutions, scratch.piece, monitor);
   }
 
-  static void report_nees(std::size_t m, const RangingCell& settings, RangingScratch& scratch,
-                          results::BlockSink& sink) {
+  static void report_nees(std::size_t m, const RangingCell& settings, const core::Oracle& oracle,
+                          RangingScratch& scratch, results::BlockSink& sink) {
     const core::SolutionBatch& s = scratch.solutions;
     scratch.values.resize(s.trials());
-    normalized_squared_errors(scratch.problems, {s.estimate[0], s.estimate[1], s.estimate[2]}, sim::true_position_m,
+    normalized_squared_errors(scratch.problems, {s.estimate[0], s.estimate[1], s.estimate[2]}, oracle.truth,
                               settings.range_sigma_m, scratch.values);
     for (std::size_t t = 0; t < s.trials(); ++t)
       if (s.status[t] != static_cast<std::uint8_t>(core::Status::Converged))
@@ -124,8 +124,8 @@ class RangingSimulation : public Simulation, public FailureRecount, public Trial
     sink.metric(method, metric, scratch.values);
   }
 
-  static void report_method(std::size_t m, const solvers::SolverOptions& options, bool has_k, RangingScratch& scratch,
-                            results::BlockSink& sink) {
+  static void report_method(std::size_t m, const solvers::SolverOptions& options, bool has_k,
+                            const core::Oracle& oracle, RangingScratch& scratch, results::BlockSink& sink) {
     const core::SolutionBatch& s = scratch.solutions;
     constexpr double not_in_population = std::numeric_limits<double>::quiet_NaN();
     const auto converged = [&](std::size_t t) {
@@ -134,7 +134,7 @@ class RangingSimulation : public Simulation, public FailureRecount, public Trial
     const auto error = [&](std::size_t t) {
       double squared = 0.0;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double d = s.estimate[axis][t] - sim::true_position_m[axis];
+        const double d = s.estimate[axis][t] - oracle.truth[axis][t];
         squared += d * d;
       }
       return std::sqrt(squared);
@@ -157,7 +157,7 @@ class RangingSimulation : public Simulation, public FailureRecount, public Trial
       return std::isfinite(e) ? e * e : std::numeric_limits<double>::infinity();
     });
     report(m, ErrorXM, scratch, sink, [&](std::size_t t) {
-      const double e = s.estimate[0][t] - sim::true_position_m[0];
+      const double e = s.estimate[0][t] - oracle.truth[0][t];
       return std::isfinite(e) ? e : std::numeric_limits<double>::infinity();
     });
     report(m, Iterations, scratch, sink,

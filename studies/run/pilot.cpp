@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "core/elapsed.hpp"
 #include "studies/run/workbench.hpp"
 #include "studies/study/audit_sample.hpp"
 
@@ -33,10 +34,6 @@ std::vector<std::size_t> spread_order(std::size_t cells) {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
 /// Runs trials of cells and keeps nothing but what they say of the whole.
 class PilotRun {
  public:
@@ -52,7 +49,7 @@ class PilotRun {
   }
 
  private:
-  bool is_over() const { return seconds_since(begin_) >= budget_s_; }
+  bool is_over() const { return core::seconds_since(begin_) >= budget_s_; }
 
   void run_round(std::uint64_t count) {
     double seconds = 0.0;
@@ -95,7 +92,7 @@ class PilotRun {
     NoMonitor monitor;
     const Clock::time_point begin = Clock::now();
     static_cast<void>(simulation.run_block(range, workspace, monitor, sink));
-    return seconds_since(begin);
+    return core::seconds_since(begin);
   }
 
   const Study& study_;

@@ -7,8 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/elapsed.hpp"
 #include "results/blocks/block.hpp"
 #include "results/store/result_writer.hpp"
+#include "results/store/run_record.hpp"
+#include "studies/run/block_rounds.hpp"
 #include "studies/run/stop_rounds.hpp"
 #include "studies/run/workbench.hpp"
 #include "studies/study/capabilities.hpp"
@@ -25,10 +28,6 @@ constexpr std::uint64_t pieces_per_worker = 8;
 
 /// Blocks go to the store after this time at the latest: what a killed program loses of slow ones.
 constexpr double hand_over_s = 0.1;
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 /// What to compute of a block: the solvers, and what the sink is to make of their columns.
 struct BlockWork {
@@ -70,9 +69,9 @@ class Stored : public FinishedBlocks {
  public:
   explicit Stored(const results::ResultWriter& writer) : writer_(writer) {}
 
-  Extent extent(std::size_t cell, const std::vector<std::size_t>& methods) const override {
-    const auto extent = writer_.extent(cell, methods);
-    return {extent.unbroken, extent.end};
+  Extent extent(std::size_t cell, std::uint64_t trials, const std::vector<std::size_t>& methods) const override {
+    const auto [unbroken, end] = writer_.extent(cell, trials, methods);
+    return {unbroken, end};
   }
   results::Statistics statistics(std::size_t cell, std::size_t method) const override {
     return writer_.statistics(cell, method);
@@ -96,7 +95,7 @@ class Run {
         stop_(stop),
         bench_(study, plan, queue.workers()) {}
 
-  /// Computes what is missing of some stretches, in their order as far as workers have one.
+  /// Computes what is missing of some stretches.
   void compute(const std::vector<Stretch>& stretches);
 
   /// All blocks of the assignment.
@@ -156,7 +155,7 @@ void Run::compute_piece(const Stretch& piece, std::size_t worker) {
   for (std::uint64_t block = piece.first; block < piece.end && !stop_.load(std::memory_order_relaxed); ++block) {
     if (!assignment_.contains(piece.place, block)) continue;
     if (!compute_block(cell.index, block, worker, done)) break;
-    if (!done.empty() && seconds_since(handed_over) > hand_over_s) {
+    if (!done.empty() && core::seconds_since(handed_over) > hand_over_s) {
       writer_.add(std::exchange(done, {}));
       handed_over = std::chrono::steady_clock::now();
     }
@@ -169,17 +168,9 @@ void Run::compute(const std::vector<Stretch>& stretches) {
   for (const Stretch& stretch : stretches) blocks += stretch.end - stretch.first;
   const std::uint64_t size =
       std::clamp<std::uint64_t>(blocks / (queue_.workers() * pieces_per_worker), 1, most_blocks_per_piece);
-  std::vector<std::uint64_t> pieces_before = {0};
-  for (const Stretch& stretch : stretches) {
-    pieces_before.push_back(pieces_before.back() + (stretch.end - stretch.first + size - 1) / size);
-  }
-  queue_.run(pieces_before.back(), stop_, [&](std::uint64_t piece, std::size_t worker) {
-    const auto after = std::ranges::upper_bound(pieces_before, piece);
-    const auto i = static_cast<std::size_t>(after - pieces_before.begin()) - 1;
-    const Stretch& stretch = stretches[i];
-    const std::uint64_t first = stretch.first + (piece - pieces_before[i]) * size;
-    compute_piece({stretch.place, first, std::min(first + size, stretch.end)}, worker);
-  });
+  const BlockRounds rounds(stretches, size);
+  queue_.run(rounds.pieces(), stop_,
+             [&](std::uint64_t piece, std::size_t worker) { compute_piece(rounds.piece(piece), worker); });
 }
 
 std::vector<Stretch> Run::everything() const {
@@ -192,7 +183,8 @@ std::vector<Stretch> Run::everything() const {
 std::vector<Stretch> Run::present() const {
   std::vector<Stretch> all;
   for (std::size_t place = 0; place < assignment_.cells.size(); ++place)
-    all.push_back({place, 0, writer_.extent(assignment_.cells[place], assignment_.methods).unbroken});
+    all.push_back(
+        {place, 0, writer_.extent(assignment_.cells[place], assignment_.trials, assignment_.methods).unbroken});
   return all;
 }
 
@@ -201,6 +193,20 @@ std::uint64_t Run::blocks_kept() const {
   for (const std::size_t cell : assignment_.cells)
     sum += writer_.blocks_there(cell, assignment_.trials, assignment_.methods);
   return sum;
+}
+
+/// What a run says of itself to others.
+results::RunRecord record_of(const RunProgress& progress, std::size_t workers, double seconds) {
+  results::RunRecord record;
+  record.state = progress.is_writing ? results::RunRecord::State::Writing : results::RunRecord::State::Computing;
+  record.seconds = seconds;
+  record.workers = workers;
+  record.blocks_total = progress.blocks_total;
+  record.blocks_done = progress.blocks_done;
+  record.trials_total = progress.trials_total;
+  record.trials_done = progress.trials_done;
+  record.trials_found = progress.trials_found;
+  return record;
 }
 
 /// Trials of the blocks of some stretches.
@@ -215,20 +221,26 @@ std::uint64_t trials_of(const Assignment& assignment, const std::vector<Stretch>
 
 }  // namespace
 
-RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment,
-                     const std::filesystem::path& output, WorkQueue& queue, results::Provenance provenance,
-                     RunProgress& progress, const std::atomic<bool>& stop) {
+RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment, results::ResultClaim output,
+                     WorkQueue& queue, results::Provenance provenance, RunProgress& progress,
+                     const std::atomic<bool>& stop) {
   using Totals = results::ResultWriter::Totals;
-  results::ResultWriter writer(output, plan.header, study.stop ? Totals::Kept : Totals::Dropped);
+  results::ResultWriter writer(std::move(output), plan.header, study.stop ? Totals::Kept : Totals::Dropped);
   Assignment own = assignment;
-  if (study.stop) own.trials = looks(*study.stop, own.block_trials).back() * own.block_trials;
+  if (study.stop) own.trials = study.stop->max_trials;
   Run run(study, plan, own, writer, queue, progress, stop);
   const auto begin = std::chrono::steady_clock::now();
+  bool is_recorded = false;
   std::uint64_t blocks = 0;
   const auto compute = [&](const std::vector<Stretch>& stretches, std::uint64_t more) {
     blocks += more;
     progress.blocks_total = blocks;
     progress.trials_total += own.shard.count == 1 ? trials_of(own, stretches) : more * own.block_trials;
+    if (!std::exchange(is_recorded, true)) {
+      writer.record([&progress, workers = queue.workers(), begin] {
+        return record_of(progress, workers, core::seconds_since(begin));
+      });
+    }
     run.compute(stretches);
   };
   if (study.stop) {
@@ -254,8 +266,9 @@ RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& ass
   outcome.unchanged = writer.is_current();
   if (outcome.unchanged) return outcome;
   provenance.threads = static_cast<unsigned>(queue.workers());
-  provenance.wall_time_s.emplace_back("compute", seconds_since(begin));
+  provenance.wall_time_s.emplace_back("compute", core::seconds_since(begin));
   results::complete(provenance);
+  progress.is_writing = true;
   writer.seal(provenance);
   return outcome;
 }

@@ -2,11 +2,11 @@
 
 #include <atomic>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "results/store/provenance.hpp"
+#include "results/store/result_claim.hpp"
 #include "studies/plan/assignment.hpp"
 #include "studies/plan/plan.hpp"
 #include "studies/run/work_queue.hpp"
@@ -21,6 +21,7 @@ struct RunProgress {
   std::atomic<std::uint64_t> trials_total{0};  ///< of these blocks; last blocks may be smaller
   std::atomic<std::uint64_t> trials_done{0};   ///< trials of this run, those of blocks that are under way included
   std::atomic<std::uint64_t> trials_found{0};  ///< trials of blocks found finished
+  std::atomic<bool> is_writing{false};         ///< all trials are there, and the result is being written
 };
 
 struct RunOutcome {
@@ -36,12 +37,14 @@ struct RunOutcome {
 /// workers of a queue, and seals the result with all that it has. A stop rule is applied in rounds that depend on
 /// finished blocks alone (`StopRounds`), so that neither threads nor interruptions change where a cell ends.
 ///
-/// Blocks are independent; what a block holds does not depend on the number of workers or on the order. When `stop`
+/// Blocks are taken in rounds over the cells (`BlockRounds`), so that a run that is stopped has something of every
+/// cell. They are independent; what a block holds does not depend on the number of workers or on the order. When `stop`
 /// becomes true, blocks that are under way are given up, finished ones are kept, and the result stays as it was.
-/// `provenance` carries what the caller knows about the build; the runner adds threads and wall times. Throws
-/// core::InputError if `output` cannot be used, core::IoError if writing fails; finished parts are kept.
-RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment,
-                     const std::filesystem::path& output, WorkQueue& queue, results::Provenance provenance,
-                     RunProgress& progress, const std::atomic<bool>& stop);
+/// `provenance` carries what the caller knows about the build; the runner adds threads and wall times. How far the run
+/// is can be read beside it (`results::RunRecord`). Throws core::InputError if what is there of the result is of
+/// another study, core::IoError if writing fails; finished parts are kept.
+RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment, results::ResultClaim output,
+                     WorkQueue& queue, results::Provenance provenance, RunProgress& progress,
+                     const std::atomic<bool>& stop);
 
 }  // namespace ridgeloc::studies

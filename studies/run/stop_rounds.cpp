@@ -16,6 +16,10 @@ StopRounds::StopRounds(const Study& study, const Plan& plan, const Assignment& a
       looks_(looks(*study.stop, assignment.block_trials)),
       known_(assignment.cells.size()) {}
 
+FinishedBlocks::Extent StopRounds::extent(std::size_t place) const {
+  return finished_.extent(assignment_.cells[place], assignment_.trials, assignment_.methods);
+}
+
 const StopRounds::Known& StopRounds::known(std::size_t place, std::uint64_t blocks) {
   Known& known = known_[place];
   if (known.blocks == blocks) return known;
@@ -36,15 +40,15 @@ std::vector<Stretch> StopRounds::next() {
   std::vector<Stretch> begun;    // cells between two looks, or before the first
   std::vector<Stretch> wanting;  // cells at a look that was not the last
   for (std::size_t place = 0; place < assignment_.cells.size(); ++place) {
-    const auto extent = finished_.extent(assignment_.cells[place], assignment_.methods);
-    const auto next = std::ranges::upper_bound(looks_, extent.unbroken);
+    const auto [unbroken, end] = extent(place);
+    const auto next = std::ranges::upper_bound(looks_, unbroken);
     if (next == looks_.end()) continue;
-    const Stretch stretch{place, extent.unbroken, *next};
+    const Stretch stretch{place, unbroken, *next};
     // Blocks beyond a look say that it was not enough.
-    const bool at_look = next != looks_.begin() && *std::prev(next) == extent.unbroken && extent.end == extent.unbroken;
+    const bool at_look = next != looks_.begin() && *std::prev(next) == unbroken && end == unbroken;
     if (!at_look) {
       begun.push_back(stretch);
-    } else if (!known(place, extent.unbroken).precision.is_enough()) {
+    } else if (!known(place, unbroken).precision.is_enough()) {
       wanting.push_back(stretch);
     }
   }
@@ -56,7 +60,7 @@ std::vector<Stretch> StopRounds::next() {
 std::vector<Stretch> StopRounds::most_worthwhile(const std::vector<Stretch>& wanting) {
   double spent = 0.0;
   for (std::size_t place = 0; place < assignment_.cells.size(); ++place) {
-    const std::uint64_t blocks = finished_.extent(assignment_.cells[place], assignment_.methods).unbroken;
+    const std::uint64_t blocks = extent(place).unbroken;
     spent += known(place, blocks).cost;
   }
   if (wanting.empty() || spent >= study_.stop->max_cost) return {};

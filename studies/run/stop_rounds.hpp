@@ -21,15 +21,15 @@ struct Stretch {
 /// What is there of a result, for whoever decides what is to be computed next.
 class FinishedBlocks {
  public:
-  /// How far a cell is: the whole blocks that all methods have from the first on without a gap, and one past the last
-  /// block that any has.
+  /// How far a cell is: how many of the blocks that `trials` trials make all methods have from the first on without a
+  /// gap (more if there are more whole ones), and one past the last block that any has.
   struct Extent {
     std::uint64_t unbroken = 0;
     std::uint64_t end = 0;
   };
 
   virtual ~FinishedBlocks() = default;
-  virtual Extent extent(std::size_t cell, const std::vector<std::size_t>& methods) const = 0;
+  virtual Extent extent(std::size_t cell, std::uint64_t trials, const std::vector<std::size_t>& methods) const = 0;
   /// Of all trials that a method has in a cell.
   virtual results::Statistics statistics(std::size_t cell, std::size_t method) const = 0;
 };
@@ -42,7 +42,8 @@ class FinishedBlocks {
 /// cost of all that there is reaches the limit; only the first look of every cell is not subject to it.
 class StopRounds {
  public:
-  /// All of them must outlive this one. Precondition: the study has a stop rule.
+  /// All of them must outlive this one. Precondition: the study has a stop rule, and the trials of the assignment are
+  /// its `max_trials`.
   StopRounds(const Study& study, const Plan& plan, const Assignment& assignment, const FinishedBlocks& finished);
 
   /// The next round, after all blocks of the last one have been added; empty when the rule is satisfied.
@@ -55,6 +56,7 @@ class StopRounds {
     double cost = 0.0;
     Precision precision;
   };
+  FinishedBlocks::Extent extent(std::size_t place) const;
   const Known& known(std::size_t place, std::uint64_t blocks);
   std::vector<Stretch> most_worthwhile(const std::vector<Stretch>& wanting);
 

@@ -1,6 +1,5 @@
 #include "studies/run/work_queue.hpp"
 
-#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
@@ -21,19 +20,19 @@ class ThreadQueue : public WorkQueue {
   std::size_t workers() const override { return static_cast<std::size_t>(threads_); }
 
   void run(std::uint64_t pieces, const std::atomic<bool>& stop, const Work& work) override {
+    std::atomic<std::uint64_t> next{0};
     arena_.execute([&] {
       tbb::task_group_context context;
-      tbb::parallel_for(
-          tbb::blocked_range<std::uint64_t>(0, pieces, 1),
-          [&](const tbb::blocked_range<std::uint64_t>& range) {
-            // Without this a stop would still visit every piece there is, and there may be billions.
-            if (stop.load(std::memory_order_relaxed)) context.cancel_group_execution();
-            const auto worker = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
-            for (std::uint64_t piece = range.begin(); piece != range.end(); ++piece) {
-              if (!stop.load(std::memory_order_relaxed)) work(piece, worker);
-            }
-          },
-          tbb::simple_partitioner{}, context);
+      // A loop of each worker rather than a task of each piece: those would be begun in no order.
+      const auto take_pieces = [&](int) {
+        const auto worker = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
+        while (!stop.load(std::memory_order_relaxed) && !context.is_group_execution_cancelled()) {
+          const std::uint64_t piece = next.fetch_add(1, std::memory_order_relaxed);
+          if (piece >= pieces) return;
+          work(piece, worker);
+        }
+      };
+      tbb::parallel_for(0, threads_, take_pieces, tbb::simple_partitioner{}, context);
     });
   }
 

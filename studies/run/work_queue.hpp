@@ -22,8 +22,9 @@ class WorkQueue {
   /// How many pieces may be in work at once. Workers are numbered from 0, and each does one piece at a time.
   virtual std::size_t workers() const = 0;
 
-  /// Calls `work` once for each piece below `pieces`, in no order, and returns when all have ended. Begins no further
-  /// piece once `stop` is true or a piece has thrown; what was thrown is thrown again.
+  /// Calls `work` once for each piece below `pieces`, and returns when all have ended. They are begun in their order,
+  /// as workers get free; in which they end is open. Begins no further piece once `stop` is true or a piece has thrown;
+  /// what was thrown is thrown again.
   virtual void run(std::uint64_t pieces, const std::atomic<bool>& stop, const Work& work) = 0;
 
   /// The same, and nothing ends it early.

@@ -86,7 +86,7 @@ std::vector<Option> make_options() {
                                    "residual of a pseudorange: in range, or the quotient over 2 r")),
       choice("lm_variant", &O::lm_variant, s::lm_variant_names,
              "damping of lm: after a rejected step, always, or MINPACK's"),
-      number("trust_radius_m", &O::trust_radius_m, {1e-6, 1e6}, "m", "longest first step of dogleg"),
+      number("trust_radius_m", &O::trust_radius_m, {1e-6, 1e6}, "m", "longest first step of dogleg, in the unknowns"),
       entry("weight", &O::weight, s::weight_registry(), "robust weight of irls"),
       number("tuning", &O::tuning, {0, 1e6}, "1", "tuning constant of that weight; 0 is its own"),
       choice("scale", &O::scale, s::scale_names, "scale of irls: 1.4826 median |e|, or scale_m"),

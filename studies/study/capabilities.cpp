@@ -41,6 +41,11 @@ results::BoundKind bound_of(const Experiment& experiment, const Values& cell) {
   return yardsticks == nullptr ? results::BoundKind::None : yardsticks->bound(cell);
 }
 
+std::vector<std::string> remarks_on(const Experiment& experiment, const Values& cell) {
+  const auto* remarks = offered<Remarks>(experiment);
+  return remarks == nullptr ? std::vector<std::string>() : remarks->remarks(cell);
+}
+
 double cost_of(const Experiment& experiment, const Values& cell, const results::Statistics& statistics) {
   const auto* cost = offered<TrialCost>(experiment);
   return cost == nullptr ? static_cast<double>(statistics.trials) : cost->cost(cell, statistics);

@@ -42,6 +42,14 @@ class Yardsticks {
   virtual results::BoundKind bound(const Values& cell) const = 0;
 };
 
+/// Of an experiment: what is worth a word about the settings of a cell, though they can stand.
+class Remarks {
+ public:
+  static constexpr std::string_view what = "remarks";
+  virtual ~Remarks() = default;
+  virtual std::vector<std::string> remarks(const Values& cell) const = 0;
+};
+
 /// Of an experiment: what trials cost, where that is not the same for all.
 class TrialCost {
  public:
@@ -112,6 +120,9 @@ std::size_t audit_metrics_of(const Experiment& experiment);
 
 /// `BoundKind::None` without yardsticks.
 results::BoundKind bound_of(const Experiment& experiment, const Values& cell);
+
+/// None without remarks.
+std::vector<std::string> remarks_on(const Experiment& experiment, const Values& cell);
 
 /// The number of trials, where no other cost is known.
 double cost_of(const Experiment& experiment, const Values& cell, const results::Statistics& statistics);

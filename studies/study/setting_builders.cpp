@@ -35,6 +35,10 @@ Setting Section::samples(std::string name, Interval bounds, std::string descript
   return number(Kind::Samples, std::move(name), Samples(), bounds, "1", std::move(description));
 }
 
+Setting Section::positions(std::string name, Interval bounds, std::string description) const {
+  return number(Kind::Positions, std::move(name), Positions(), bounds, "m", std::move(description));
+}
+
 Setting Section::choice(std::string name, std::vector<std::string> choices, std::string standard,
                         std::string description) const {
   Setting setting = other(Kind::Choice, std::move(name), std::move(standard), std::move(description));

@@ -33,6 +33,9 @@ class Section {
   /// A list of numbers, none as long as the study gives none.
   Setting samples(std::string name, Interval bounds, std::string description) const;
 
+  /// A list of positions, none as long as the study gives none.
+  Setting positions(std::string name, Interval bounds, std::string description) const;
+
   Setting choice(std::string name, std::vector<std::string> choices, std::string standard,
                  std::string description) const;
 

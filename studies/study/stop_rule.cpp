@@ -34,6 +34,7 @@ Precision precision_of(const StopRule& rule, const results::SummaryRow& row) {
   } else if (!is_rate && rule.statistic == "rms") {
     value = row.rms;
     error = row.rms_mcse;
+    is_reliable = row.rms_trusted || row.sd == 0.0;
   }
   if (error == 0.0) return {0.0, is_reliable};
   return {error / (rule.is_relative ? rule.target * std::fabs(value) : rule.target), is_reliable};
@@ -81,7 +82,7 @@ std::uint64_t predicted_trials(const StopRule& rule, const Precision& precision,
   const double needed = static_cast<double>(trials) * precision.error_over_target * precision.error_over_target;
   const auto enough =
       std::ranges::find_if(blocks, [&](std::uint64_t b) { return static_cast<double>(b * block_trials) >= needed; });
-  return (enough == blocks.end() ? blocks.back() : *enough) * block_trials;
+  return std::min((enough == blocks.end() ? blocks.back() : *enough) * block_trials, rule.max_trials);
 }
 
 }  // namespace ridgeloc::studies

@@ -23,8 +23,9 @@ struct StopRule {
 };
 
 /// The numbers of blocks at which a cell is looked at: from those of `min_trials` on, each a quarter of an octave (19
-/// %) above the one before, to those of `max_trials`; both rounded up to whole blocks. Fixed beforehand, so that a run
-/// that goes on needs no memory of what the last one has seen: whoever went beyond a look has found it not enough.
+/// %) above the one before, to those of `max_trials`, of which the last one has what is left for it; the others are
+/// whole. Fixed beforehand, so that a run that goes on needs no memory of what the last one has seen: whoever went
+/// beyond a look has found it not enough.
 std::vector<std::uint64_t> looks(const StopRule& rule, std::uint64_t block_trials);
 
 /// How far a cell is from what the rule asks for.

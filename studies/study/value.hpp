@@ -35,6 +35,24 @@ class Samples {
   double rms_ = 0.0;
 };
 
+/// Positions in the frame of a map (m). Copies share them.
+class Positions {
+ public:
+  Positions() = default;
+  explicit Positions(const std::vector<std::array<double, 3>>& places);
+
+  std::size_t size() const { return column(0).size(); }
+  std::array<double, 3> operator[](std::size_t i) const { return {column(0)[i], column(1)[i], column(2)[i]}; }
+  /// Coordinate `axis` (0 = x, 1 = y, 2 = z) of all of them.
+  std::span<const double> column(std::size_t axis) const {
+    return columns_ == nullptr ? std::span<const double>() : std::span<const double>((*columns_)[axis]);
+  }
+  bool operator==(const Positions& other) const;
+
+ private:
+  std::shared_ptr<const std::array<std::vector<double>, 3>> columns_;
+};
+
 /// A map of a building. Copies share it.
 class Building {
  public:
@@ -51,7 +69,7 @@ class Building {
 };
 
 /// The value of a setting.
-using Value = std::variant<std::int64_t, double, std::string, Interval, Samples, Building>;
+using Value = std::variant<std::int64_t, double, std::string, Interval, Samples, Positions, Building>;
 
 /// Values by name of setting.
 using Values = std::map<std::string, Value, std::less<>>;
@@ -64,7 +82,7 @@ std::string to_toml(const Value& value);
 results::FactorValue factor_value(const Value& value);
 
 /// What a setting accepts.
-enum class Kind { Real, Integer, Choice, Text, Range, Samples, Building };
+enum class Kind { Real, Integer, Choice, Text, Range, Samples, Positions, Building };
 
 /// When a setting is read: always, or only while another one, a choice, has one of some values.
 struct Condition {

@@ -229,3 +229,23 @@ TEST_CASE("compare says whether two results of one study agree") {
   CHECK(line_count(other.error) == 1);
   CHECK(contains(other.error, "depth_m is [1.0, 10.0], not [1.0, 2.0]"));
 }
+
+TEST_CASE("a study that waits for its turn keeps what another run has made of its result meanwhile") {
+  const WithStudy folder;
+  const auto with_trials = [](const std::string& trials) {
+    return small.substr(0, small.find("9000")) + trials + small.substr(small.find("9000") + 4);
+  };
+  folder.write("slow.toml", with_trials("500000"));
+  folder.write("s.toml", with_trials("300"));
+  // The run of both is halted at the first one while another run makes the result of the second.
+  const Outcome outcome = folder.shell(
+      "'" RIDGELOC_PROGRAM
+      "' run slow.toml s.toml -o . --threads 1 > both 2> both.err & both=$!; "
+      "until ls slow.h5.parts > nothing 2>&1; do :; done; kill -STOP $both; "
+      "'" RIDGELOC_PROGRAM "' run s.toml --trials 5000; code=$?; kill -CONT $both; wait $both && exit $code");
+  INFO(outcome.error << folder.read("both.err"));
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(results::read_result_header(folder.path() / "s.h5").trials == 5000);
+  CHECK(contains(folder.ridgeloc("verify --blocks 0 s.h5").out, "complete: 2 cells with 5000 trials each"));
+  CHECK(contains(folder.read("both.err"), "s.h5: was asked for 5000 trials per cell before; all stay"));
+}

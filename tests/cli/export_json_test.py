@@ -55,9 +55,10 @@ def main(program):
                 assert row[name] == item[name]
             assert float(row["range_sigma_m"]) == item["cell"]["range_sigma_m"]
             assert row["noise_model"] == item["cell"]["noise_model"]
-            assert row["trusted"] == ("1" if item["trusted"] else "0")
+            for flag in ("trusted", "rms_trusted"):
+                assert row[flag] == ("1" if item[flag] else "0")
             for name, value in item.items():
-                if name not in ("cell", "method", "metric", "unit", "trusted"):
+                if name not in ("cell", "method", "metric", "unit", "trusted", "rms_trusted"):
                     assert same(row[name], value), (name, row[name], value)
         refused = subprocess.run([program, "export", "r.h5", "--json", "--csv"], cwd=folder, capture_output=True, text=True)
         assert refused.returncode == 2, refused

@@ -1,6 +1,8 @@
 // What goes wrong with the machine during a run: one line, an exit code, and everything finished stays.
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 
 #include "tests/cli/program.hpp"
 #include "tests/support/catch.hpp"
@@ -148,4 +150,48 @@ TEST_CASE("a file-size limit that parts keep and the result exceeds leaves the p
   const Outcome again = folder.ridgeloc("run s.toml");
   CHECK(again.exit_code == 0);
   CHECK(contains(again.error, "30 of 30 blocks were there"));
+}
+
+TEST_CASE("a file system that cannot synchronize folders is written to all the same, and one that fails is not") {
+  const WithStudy folder;
+  const auto call = [&](int error, const std::string& arguments) {
+    // Where the program brings a sanitizer it must be told that another library comes first.
+    return folder.shell("ASAN_OPTIONS=verify_asan_link_order=0 FOLDER_SYNC_ERROR=" + std::to_string(error) +
+                        " LD_PRELOAD='" UNSYNCED_FOLDERS "' '" RIDGELOC_PROGRAM "' " + arguments);
+  };
+  for (const int error : {EINVAL, EBADF, EOPNOTSUPP, ENOSYS}) {
+    CHECK(call(error, "run s.toml --trials 500").exit_code == 0);
+    CHECK(call(error, "new ranging -o n.toml").exit_code == 0);
+    CHECK(call(error, "export s.h5 -o s.csv").exit_code == 0);
+    REQUIRE(folder.shell("rm s.h5 n.toml s.csv").exit_code == 0);
+  }
+  const Outcome failed = call(EIO, "run s.toml --trials 500");
+  CHECK(failed.exit_code == 3);
+  CHECK(contains(failed.error, "cannot flush"));
+}
+
+TEST_CASE("a locked result and too little memory are called what they are") {
+  const WithStudy folder;
+  REQUIRE(folder.ridgeloc("run s.toml --trials 500").exit_code == 0);
+  const Outcome locked =
+      folder.shell("flock -x s.h5 env HDF5_USE_FILE_LOCKING=TRUE '" RIDGELOC_PROGRAM "' summary s.h5");
+  CHECK(locked.exit_code == 2);
+  CHECK(locked.error ==
+        "ridgeloc: s.h5 is locked by another program, which may be writing to it; close it there and try again\n");
+  // Enough for the program to start, and too little to read anything.
+  const Outcome limited = folder.shell("ulimit -v 60000 && '" RIDGELOC_PROGRAM "' summary s.h5");
+  if (contains(limited.error, "shared object")) return;  // not even to start
+  CHECK(limited.exit_code == 3);
+  CHECK(line_count(limited.error) == 1);
+  CHECK(contains(limited.error, "memory"));
+  CHECK_FALSE(contains(limited.error, "damaged"));
+}
+
+TEST_CASE("links that lead in a circle are refused and stay") {
+  const WithStudy folder;
+  REQUIRE(folder.shell("ln -s b.h5 a.h5; ln -s a.h5 b.h5").exit_code == 0);
+  const Outcome outcome = folder.ridgeloc("run s.toml --trials 500 -o a.h5");
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.error == "ridgeloc: a.h5: these links lead in a circle; remove them or choose another -o\n");
+  CHECK(folder.shell("test -h a.h5 && test -h b.h5").exit_code == 0);
 }

@@ -30,7 +30,7 @@ class Files:
         return self.result.stat().st_ino if self.result.exists() else 0
 
     def unfinished_part(self):
-        return any(name.endswith(".ridgeloc-tmp") for name in self.names())
+        return any(name.startswith("part-") and name.endswith(".ridgeloc-tmp") for name in self.names())
 
     def unfinished_result(self):
         return any(self.result.parent.glob(f"{self.result.name}.*.ridgeloc-tmp"))

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <regex>
 
 #include "results/store/result_file.hpp"
 #include "tests/cli/program.hpp"
@@ -77,6 +78,37 @@ solver = "ols"
   const Outcome bad = folder.ridgeloc("run data/field.toml -o other.h5");
   CHECK(bad.exit_code == 2);
   CHECK(bad.error == "ridgeloc: data/residuals.csv:3: \"?\" in column \"e_m\" is not a number\n");
+}
+
+TEST_CASE("a study may be called anything, and its figures can be drawn") {
+  const WorkingFolder folder;
+  for (const std::string name : {"my study", "study (1)", "größe", "a+b", ".hidden"}) {
+    INFO(name);
+    REQUIRE(folder.ridgeloc("new ranging -o '" + name + ".toml'").exit_code == 0);
+    const Outcome run = folder.ridgeloc("run '" + name + ".toml' --trials 10 --audit 0 --threads 1");
+    INFO(run.error);
+    CHECK(run.exit_code == 0);
+    const Outcome plot = folder.ridgeloc("plot '" + name + ".h5'");
+    REQUIRE(plot.exit_code == 0);
+    CHECK(folder.has(plot.out.substr(0, plot.out.size() - 1)));
+  }
+}
+
+TEST_CASE("a study comes from a pipe as from a file") {
+  const WorkingFolder folder;
+  folder.write("s.toml", "title = \"t\"\nexperiment = \"ranging\"\ntrials = 10\n[[method]]\nsolver = \"lm\"\n");
+  const std::string program = "'" RIDGELOC_PROGRAM "'";
+  REQUIRE(folder.ridgeloc("run s.toml -o file.h5").exit_code == 0);
+  const Outcome piped = folder.shell("cat s.toml | " + program + " run /dev/stdin -o pipe.h5");
+  INFO(piped.error);
+  REQUIRE(piped.exit_code == 0);
+  CHECK(folder.ridgeloc("verify --digest pipe.h5").out == folder.ridgeloc("verify --digest file.h5").out);
+  CHECK(folder.shell("cat s.toml | " + program + " plan /dev/stdin").exit_code == 0);
+  CHECK(folder.shell("cat s.toml | " + program + " replay /dev/stdin --trial 3").exit_code == 0);
+  const Outcome result = folder.shell("cat file.h5 | " + program + " run /dev/stdin -o other.h5");
+  CHECK(result.exit_code == 2);
+  CHECK(line_count(result.error) == 1);
+  CHECK(folder.ridgeloc("run . -o other.h5").exit_code == 2);
 }
 
 TEST_CASE("several studies go to a folder, which is made") {
@@ -231,4 +263,29 @@ TEST_CASE("results in the way are found before anything is computed") {
   REQUIRE(folder.ridgeloc("run b.toml --seed 5 -o out/").exit_code == 0);
   CHECK(folder.ridgeloc("run a.toml b.toml -o out").exit_code == 2);
   CHECK_FALSE(folder.has("out/a.h5"));
+}
+
+TEST_CASE("anchors come from a file, stay in the result, and what they leave open is said") {
+  const WorkingFolder folder;
+  folder.write("anchors.csv", "x_m,y_m,z_m\n0,0,2\n8,0,2\n8,6,2\n0,6,2\n");
+  folder.write(
+      "s.toml",
+      "experiment = \"ranging\"\ntrials = 50\n[scene]\nobjects = \"given\"\nobjects_m = { file = \"anchors.csv\" }\n"
+      "camera_x_m = [1, 7]\ncamera_y_m = [1, 5]\n[sweep]\nz_mode = [\"free\", \"fixed\"]\n"
+      "[[method]]\nsolver = \"lm\"\n");
+  const std::string remark = "note: all objects lie in one plane: every position has a mirror image";
+  const Outcome run = folder.ridgeloc("run s.toml -o r.h5");
+  INFO(run.error);
+  REQUIRE(run.exit_code == 0);
+  CHECK(contains(run.error, "s: " + remark));
+  CHECK(contains(folder.ridgeloc("plan s.toml").out, "note     all objects lie in one plane"));
+  folder.shell("rm anchors.csv");
+  CHECK(folder.ridgeloc("verify r.h5").exit_code == 0);
+  CHECK(contains(folder.ridgeloc("export r.h5 --study").out, "objects_m = [[0.0, 0.0, 2.0], [8.0, 0.0, 2.0], "));
+  const Outcome replay = folder.ridgeloc("replay r.h5 --cell z_mode=fixed --trial 3 -o t.svg");
+  REQUIRE(replay.exit_code == 0);
+  CHECK(std::regex_search(replay.out, std::regex(" 3 +8 +6 +2 ")));
+  CHECK(contains(folder.read("t.svg"), "x [m]"));
+  CHECK(folder.ridgeloc("run s.toml -o r.h5").exit_code == 2);  // the file is gone
+  CHECK(folder.ridgeloc("export r.h5 --study").out.find("file") == std::string::npos);
 }

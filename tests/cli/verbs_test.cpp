@@ -3,6 +3,7 @@
 
 #include "tests/cli/program.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/sample_result.hpp"
 
 using namespace ridgeloc::tests;
 
@@ -189,7 +190,7 @@ TEST_CASE("plot draws the bound of errors unless it is not wanted") {
   const WithResult folder;
   REQUIRE(folder.ridgeloc("plot result.h5 --y error_all_m --statistic rms --where range_sigma_m=0.1 -o with.svg")
               .exit_code == 0);
-  CHECK(contains(folder.read("with.svg"), "bound, root mean square"));
+  CHECK(contains(folder.read("with.svg"), "bound of unbiased estimates, root mean square"));
   CHECK(contains(folder.read("with.svg"), "range_sigma_m = 0.1"));
   REQUIRE(folder.ridgeloc("plot result.h5 --y error_all_m --no-bounds -o without.svg").exit_code == 0);
   CHECK_FALSE(contains(folder.read("without.svg"), "bound"));
@@ -209,8 +210,7 @@ TEST_CASE("export writes LaTeX tables of cells by methods") {
   CHECK(contains(both, "\\label{tab:converged}"));
   const std::string one = folder.ridgeloc("export result.h5 --latex --metric gdop").out;
   CHECK(one.starts_with("% ridgeloc export result.h5 --latex --metric gdop\n"));
-  CHECK(contains(one, "    points & range\\_sigma\\_m & scene \\\\\n"));
-  CHECK(lines_of(one).size() == 18);
+  CHECK(contains(one, "standard deviation of the range errors in m} & method & 3 & 5 \\\\\n"));
   REQUIRE(folder.ridgeloc("export result.h5 --latex -o t.tex").exit_code == 0);
   CHECK(folder.read("t.tex") == both);
 
@@ -219,6 +219,63 @@ TEST_CASE("export writes LaTeX tables of cells by methods") {
   CHECK(contains(unknown.error, "did you mean \"converged\"?"));
   CHECK(folder.ridgeloc("export result.h5 --latex --trials").exit_code == 2);
   CHECK(contains(folder.ridgeloc("export result.h5 --metric gdop").error, "requires --latex"));
+}
+
+TEST_CASE("export writes CSV that spreadsheets read, and says where no trial is kept") {
+  const WithResult folder;
+  const std::string text = folder.ridgeloc("export result.h5 --bom --decimal-comma").out;
+  CHECK(text.starts_with("\xEF\xBB\xBFpoints;range_sigma_m;method;"));
+  CHECK(contains(text, "\n3;0,1;rrr;error_m;m;"));
+  CHECK(lines_of(folder.ridgeloc("export result.h5 --trials --bom").out).size() > 100);
+  CHECK(folder.ridgeloc("export result.h5 --json --bom").exit_code == 2);
+  REQUIRE(folder.ridgeloc("run study.toml --set store.trial_columns_mib=0 -o bare.h5").exit_code == 0);
+  const auto none = folder.ridgeloc("export bare.h5 --trials");
+  CHECK(none.exit_code == 2);
+  CHECK(
+      contains(none.error, "bare.h5: keeps no values of single trials; run the study with [store] trial_columns_mib"));
+}
+
+TEST_CASE("plot has the limits, the size and the columns that are asked for") {
+  const WithResult folder;
+  REQUIRE(folder
+              .ridgeloc("plot result.h5 --y error_all_m --statistic p95 --xlim 2:6 --ylim 0.01:10 --log --log-x "
+                        "--size 160x100 --columns 2 --facet method --title 'A <title>' -o one.svg")
+              .exit_code == 0);
+  const std::string svg = folder.read("one.svg");
+  CHECK(contains(svg, "width=\"605\" height=\"378\""));
+  CHECK(contains(svg, "95 % quantile [m]"));
+  CHECK(contains(svg, "<title>A &lt;title&gt;</title>"));
+  const std::string digest = folder.ridgeloc("verify result.h5 --digest").out;
+  CHECK(contains(svg, "Data: SHA-256 " + digest.substr(0, 64)));
+  CHECK(folder.ridgeloc("plot result.h5 --figure rate --columns 2 -o two.pdf --format pdf").exit_code == 0);
+  CHECK(folder.read("two.pdf").starts_with("%PDF"));
+  const struct {
+    const char* options;
+    const char* message;
+  } wrong[] = {{"--xlim 6:2", "--xlim 6:2: write two numbers, the lower first"},
+               {"--ylim 1", "--ylim 1: write two numbers"},
+               {"--ylim 0:1 --log --y error_m", "--ylim 0:1: the axis is logarithmic"},
+               {"--size 100", "--size 100: write width and height in mm"},
+               {"--size 1e9x10", "at most 2000 each"},
+               {"--size 30x20", "--size 30x20: this figure needs at least"},
+               {"--columns 0", "--columns"},
+               {"--figure rate -o two.pdf --format svg", "another --format"}};
+  for (const auto& [options, message] : wrong) {
+    INFO(options);
+    const auto outcome = folder.ridgeloc(std::string("plot result.h5 ") + options);
+    CHECK(outcome.exit_code == 2);
+    INFO(outcome.error);
+    CHECK(lines_of(outcome.error).size() == 1);
+    CHECK(contains(outcome.error, message));
+  }
+}
+
+TEST_CASE("a rate that was never seen is drawn as its upper bound on a logarithmic axis") {
+  const WithResult folder;
+  REQUIRE(folder.ridgeloc("plot result.h5 --y singular --log -o rate.svg").exit_code == 0);
+  const std::string svg = folder.read("rate.svg");
+  CHECK(contains(svg, "open triangles: not seen"));
+  CHECK_FALSE(contains(svg, "not shown"));
 }
 
 TEST_CASE("plot draws all figures, or one, in the formats asked for") {
@@ -250,6 +307,7 @@ TEST_CASE("report writes one page, of one result or of several, and never over a
   const std::string page = folder.read("result.html");
   CHECK(page.starts_with("<!DOCTYPE html>"));
   CHECK(contains(page, "<title>A small study</title>"));
+  CHECK(page.find(": best in ") < page.find(">Overview</h2>"));
   CHECK(contains(page, "ridgeloc plot result.h5 --figure rate"));
   CHECK(folder.ridgeloc("report result.h5 result.h5").out == "report.html\n");
   CHECK(contains(folder.read("report.html"), "<title>2 studies</title>"));
@@ -298,6 +356,36 @@ TEST_CASE("plot draws a figure that is asked for instead of the study's") {
               .ridgeloc("plot result.h5 --y error_m --y error_all_m --x range_sigma_m --group points --facet method "
                         "--statistic rms --format png")
               .out == "error_m-error_all_m.png\n");
+}
+
+TEST_CASE("names in a result from elsewhere write nowhere but into the output folder, and mislead no verb") {
+  const WorkingFolder folder;
+  ridgeloc::results::Header header = sample_header();
+  header.figures.resize(1);
+  int number = 0;
+  for (const std::string name : {"../escaped", "/tmp/ridgeloc-escaped", ".hidden", "a\nb"}) {
+    INFO(name);
+    header.figures[0].name = name;
+    const std::string file = "inner" + std::to_string(++number) + ".h5";
+    write_sample(folder.path() / file, header);
+    const auto outcome = folder.ridgeloc("plot " + file + " -o pictures");
+    CHECK(outcome.exit_code == 2);
+    CHECK(lines_of(outcome.error).size() == 1);
+    CHECK(contains(outcome.error, "which can be no file of the output folder"));
+    CHECK_FALSE(folder.has("escaped.svg"));
+    CHECK_FALSE(folder.has("pictures"));
+    CHECK(folder.ridgeloc("plot " + file + " -o one.svg").exit_code == 0);
+  }
+  header.figures[0].name = "figure";
+  header.figures[0].y = {"unheard_of"};
+  write_sample(folder.path() / "unknown.h5", header);
+  for (const char* verb : {"summary unknown.h5", "export unknown.h5 --latex", "report unknown.h5"}) {
+    INFO(verb);
+    CHECK(folder.ridgeloc(verb).exit_code == 0);
+  }
+  const auto plot = folder.ridgeloc("plot unknown.h5");
+  CHECK(plot.exit_code == 2);
+  CHECK(contains(plot.error, "y = \"unheard_of\" is unknown"));
 }
 
 TEST_CASE("plot draws distributions") {

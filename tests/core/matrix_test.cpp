@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "tests/support/catch.hpp"
@@ -63,4 +64,45 @@ TEST_CASE("solve answers what is not finite with what is not finite, not with si
   const auto solution = core::solve(Matrix{{nan, 0.0, 0.0, 1.0, 0.0, 1.0}}, Right{1.0, 1.0, 1.0});
   CHECK_FALSE(solution.singular);
   CHECK_FALSE(std::isfinite(solution.x[0]));
+}
+
+TEST_CASE("the diagonal of the inverse is that of Eigen") {
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 100; ++i) {
+    Eigen::Matrix<double, 6, 4> rows;
+    for (int e = 0; e < rows.size(); ++e) rows(e) = normal(engine);
+    const Eigen::Matrix4d a = rows.transpose() * rows;
+    core::Symmetric<double, 4> upper;
+    for (std::size_t r = 0; r < 4; ++r) {
+      for (std::size_t c = r; c < 4; ++c) upper(r, c) = a(static_cast<long>(r), static_cast<long>(c));
+    }
+    const auto diagonal = core::inverse_diagonal(core::factorize(upper));
+    const Eigen::Matrix4d inverse = a.inverse();
+    const double condition = a.norm() * inverse.norm();
+    for (std::size_t d = 0; d < 4; ++d) {
+      // A definite matrix loses cond eps to elimination without pivoting; 32 covers its operations.
+      CHECK(diagonal[d] == Approx(inverse(static_cast<long>(d), static_cast<long>(d)))
+                               .epsilon(32.0 * condition * std::numeric_limits<double>::epsilon()));
+    }
+  }
+}
+
+TEST_CASE("a matrix of many sums is singular where their rounding hides its rank") {
+  // 1000 rows in a plane of three dimensions: rounding leaves a determinant of 1.6 eps in the median, 9 in 99 of 100.
+  std::mt19937_64 engine(6);
+  std::normal_distribution<double> normal;
+  std::size_t regular = 0;
+  for (int i = 0; i < 200; ++i) {
+    Eigen::Matrix<double, 2, 3> basis;
+    for (int e = 0; e < basis.size(); ++e) basis(e) = normal(engine);
+    Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+    for (int n = 0; n < 1000; ++n) {
+      const Eigen::RowVector3d row = (normal(engine) * basis.row(0) + normal(engine) * basis.row(1)).normalized();
+      a += row.transpose() * row;
+    }
+    CHECK(core::solve(from(a), Right{1.0, 1.0, 1.0}, 1000).singular);
+    regular += core::solve(from(a), Right{1.0, 1.0, 1.0}).singular ? 0 : 1;
+  }
+  CHECK(regular > 20);  // this is why
 }

@@ -6,10 +6,12 @@
 #include <Random123/philox.h>
 
 #include <cmath>
+#include <cstdint>
 
 #include "core/pack.hpp"
 #include "core/random.hpp"
 #include "core/symmetric_eigen.hpp"
+#include "tests/core/hard_roundings.hpp"
 
 namespace ridgeloc::tests {
 
@@ -49,57 +51,115 @@ bool same(double a, double b) {
   return core::bits_of(a) == core::bits_of(b) || (a != a && b != b);
 }
 
+/// Roots and reciprocals of one number per lane.
+void check_roots(const double (&x)[lanes], PackMeasurements& m) {
+  double root[lanes], inverse[lanes], reciprocal[lanes], plain[lanes];
+  const auto values = core::load<NativeReal>(x);
+  const auto both = core::root_and_inverse(values);
+  core::store(root, both.root);
+  core::store(inverse, both.inverse);
+  core::store(reciprocal, core::reciprocal(values));
+  core::store(plain, core::sqrt(values));
+  for (std::size_t l = 0; l < lanes; ++l) {
+    m.wrong_roots += same(root[l], std::sqrt(x[l])) && same(plain[l], root[l]) ? 0 : 1;
+    m.wrong_root_inverses += same(inverse[l], 1.0 / std::sqrt(x[l])) ? 0 : 1;
+    m.wrong_reciprocals += same(reciprocal[l], 1.0 / x[l]) ? 0 : 1;
+  }
+}
+
+void check_reciprocals(const double (&x)[lanes], PackMeasurements& m) {
+  double got[lanes];
+  core::store(got, core::reciprocal(core::load<NativeReal>(x)));
+  for (std::size_t l = 0; l < lanes; ++l) m.wrong_reciprocals += same(got[l], 1.0 / x[l]) ? 0 : 1;
+}
+
+/// The number of `steps` neighbours from x on.
+double neighbour(double x, std::int64_t steps) {
+  return core::from_bits(core::bits_of(x) + static_cast<std::uint64_t>(steps));
+}
+
+/// Calls f with numbers whose reciprocals, roots or reciprocals of roots are hard to round: those of
+/// hard_roundings.hpp, and numbers whose roots are, give or take a neighbour.
+template <class F>
+void for_each_hard(F f) {
+  for (const std::uint64_t fraction : hard_reciprocals) {
+    const double x = static_cast<double>(fraction) * 0x1p-52;
+    f(x);
+    for (std::int64_t steps = -2; steps <= 2; ++steps) f(neighbour(x * x, steps));
+  }
+  for (const std::uint64_t fraction : hard_roots) f(static_cast<double>(fraction) * 0x1p-52);
+}
+
 void measure_roots(Sequence& sequence, PackMeasurements& m) {
-  double x[lanes], root[lanes], inverse[lanes], reciprocal[lanes];
+  double x[lanes];
   for (int i = 0; i < rounds; ++i) {
     for (double& value : x) value = sequence.spread(-900.0, 900.0);
-    const auto values = core::load<NativeReal>(x);
-    const auto both = core::root_and_inverse(values);
-    core::store(root, both.root);
-    core::store(inverse, both.inverse);
-    core::store(reciprocal, core::reciprocal(values));
-    double plain[lanes];
-    core::store(plain, core::sqrt(values));
-    for (std::size_t l = 0; l < lanes; ++l) {
-      m.wrong_roots += root[l] == std::sqrt(x[l]) && plain[l] == root[l] ? 0 : 1;
-      m.wrong_root_inverses += inverse[l] == 1.0 / std::sqrt(x[l]) ? 0 : 1;
-      m.wrong_reciprocals += reciprocal[l] == 1.0 / x[l] ? 0 : 1;
+    check_roots(x, m);
+  }
+  for_each_hard([&](double hard) {
+    // Every lane another power of four, which leaves the fraction of the root as it is.
+    for (std::size_t l = 0; l < lanes; ++l) x[l] = std::ldexp(hard, 2 * static_cast<int>(l) - 14);
+    check_roots(x, m);
+  });
+  // The ends of all fractions of every exponent, of either sign where it has a meaning.
+  constexpr std::int64_t ends = 32;
+  for (int exponent = -1000; exponent < 1000; ++exponent) {
+    for (std::int64_t first = -ends; first < ends; first += static_cast<std::int64_t>(lanes)) {
+      for (std::size_t l = 0; l < lanes; ++l) {
+        x[l] = neighbour(std::ldexp(1.0, exponent), first + static_cast<std::int64_t>(l));
+      }
+      if (exponent > -960) check_roots(x, m);
+      check_reciprocals(x, m);
+      for (double& value : x) value = -value;
+      check_reciprocals(x, m);
     }
   }
   for (const double special : {0.0, -0.0, double(INFINITY), -double(INFINITY), -2.0, double(NAN)}) {
-    const auto both = core::root_and_inverse(NativeReal(special));
-    core::store(root, both.root);
-    core::store(inverse, both.inverse);
-    core::store(reciprocal, core::reciprocal(NativeReal(special)));
-    m.wrong_specials += same(reciprocal[0], 1.0 / special) ? 0 : 1;
-    m.wrong_specials += same(root[0], std::sqrt(special)) ? 0 : 1;
-    m.wrong_specials += same(inverse[0], 1.0 / std::sqrt(special)) ? 0 : 1;
+    const std::size_t before = m.wrong_roots + m.wrong_root_inverses + m.wrong_reciprocals;
+    for (std::size_t l = 0; l < lanes; ++l) x[l] = l % 2 == 0 ? special : 1.0;
+    check_roots(x, m);
+    m.wrong_specials += m.wrong_roots + m.wrong_root_inverses + m.wrong_reciprocals - before;
   }
+}
+
+/// A seed within 2^-14 of a value, of 27 significant bits.
+double seed_of(double value, Sequence& sequence) {
+  const double rough = value * (1.0 + (sequence.uniform() - 0.5) * 0x1.fffp-14);
+  const double shift = rough * (0x1p26 + 1.0);
+  return shift - (shift - rough);
+}
+
+/// Refined values from seeds that other processors might have.
+void check_seeds(const double (&x)[lanes], Sequence& sequence, PackMeasurements& m) {
+  double seed[lanes], got[lanes];
+  for (std::size_t l = 0; l < lanes; ++l) seed[l] = seed_of(1.0 / x[l], sequence);
+  core::store(got, core::refine_reciprocal(core::load<NativeReal>(x), core::load<NativeReal>(seed)));
+  for (std::size_t l = 0; l < lanes; ++l) m.seed_dependent += got[l] == 1.0 / x[l] ? 0 : 1;
+
+  for (std::size_t l = 0; l < lanes; ++l) seed[l] = seed_of(1.0 / std::sqrt(x[l]), sequence);
+  const auto both = core::refine_root_and_inverse(core::load<NativeReal>(x), core::load<NativeReal>(seed));
+  core::store(got, both.root);
+  for (std::size_t l = 0; l < lanes; ++l) m.seed_dependent += got[l] == std::sqrt(x[l]) ? 0 : 1;
+  core::store(got, both.inverse);
+  for (std::size_t l = 0; l < lanes; ++l) m.seed_dependent += got[l] == 1.0 / std::sqrt(x[l]) ? 0 : 1;
 }
 
 /// Refining needs fused multiply-adds; elsewhere it is not used.
 void measure_seeds(Sequence& sequence, PackMeasurements& m) {
   if (core::native_isa == core::Isa::Baseline) return;
-  double x[lanes], seed[lanes], got[lanes];
+  double x[lanes];
   for (int i = 0; i < rounds; ++i) {
     // Half of them just below 2, where the last rounding is hardest to get right.
     for (double& value : x) {
       value = i % 2 == 0 ? sequence.spread(-300.0, 300.0)
-                         : 2.0 - static_cast<double>(2 + sequence.next() % 10'000) * 0x1p-52;
+                         : 2.0 - static_cast<double>(1 + sequence.next() % 10'000) * 0x1p-52;
     }
-    for (std::size_t l = 0; l < lanes; ++l) seed[l] = 1.0 / x[l] * (1.0 + (sequence.uniform() - 0.5) * 0x1p-13);
-    core::store(got, core::refine_reciprocal(core::load<NativeReal>(x), core::load<NativeReal>(seed)));
-    for (std::size_t l = 0; l < lanes; ++l) m.seed_dependent += got[l] == 1.0 / x[l] ? 0 : 1;
-
-    for (std::size_t l = 0; l < lanes; ++l) {
-      seed[l] = 1.0 / std::sqrt(x[l]) * (1.0 + (sequence.uniform() - 0.5) * 0x1p-13);
-    }
-    const auto both = core::refine_root_and_inverse(core::load<NativeReal>(x), core::load<NativeReal>(seed));
-    core::store(got, both.root);
-    for (std::size_t l = 0; l < lanes; ++l) m.seed_dependent += got[l] == std::sqrt(x[l]) ? 0 : 1;
-    core::store(got, both.inverse);
-    for (std::size_t l = 0; l < lanes; ++l) m.seed_dependent += got[l] == 1.0 / std::sqrt(x[l]) ? 0 : 1;
+    check_seeds(x, sequence, m);
   }
+  for_each_hard([&](double hard) {
+    for (double& value : x) value = hard;
+    for (int i = 0; i < 200; ++i) check_seeds(x, sequence, m);
+  });
 }
 
 void measure_products(Sequence& sequence, PackMeasurements& m) {

@@ -13,7 +13,7 @@ struct PackMeasurements {
   std::size_t wrong_reciprocals = 0;  ///< not the correctly rounded 1 / x
   std::size_t wrong_root_inverses = 0;
   std::size_t wrong_specials = 0;  ///< of zero, infinity, negative numbers and NaN
-  std::size_t seed_dependent = 0;  ///< refined values that differ between seeds within 2^-14 of the value
+  std::size_t seed_dependent = 0;  ///< refined values that are not correctly rounded from some seed
   std::size_t wrong_products = 0;  ///< mul_add and neg_mul_add neither fused nor twice rounded
   std::size_t wrong_words = 0;     ///< random words that are not Random123's
   std::size_t wrong_columns = 0;   ///< loads and stores at the end of a column

@@ -28,18 +28,10 @@ void check(const tests::PackMeasurements& m) {
 
 }  // namespace
 
-TEST_CASE("packs of the baseline compute what they should") {
-  check(tests::measure_packs<core::Isa::Baseline>());
+TEMPLATE_TEST_CASE_SIG("packs compute what they should", "", ((core::Isa isa), isa), core::Isa::Baseline,
+                       core::Isa::Avx2, core::Isa::Avx512) {
+  // Else there is nothing to measure: this build has no such packs, or this processor cannot run them.
+  if constexpr (core::has_kernels(isa)) {
+    if (core::is_supported(isa)) check(tests::measure_packs<isa>());
+  }
 }
-
-#if defined(__x86_64__)
-TEST_CASE("packs of AVX2 compute what they should") {
-  if (!core::is_supported(core::Isa::Avx2)) return;  // this processor has no AVX2
-  check(tests::measure_packs<core::Isa::Avx2>());
-}
-
-TEST_CASE("packs of AVX-512 compute what they should") {
-  if (!core::is_supported(core::Isa::Avx512)) return;  // this processor has no AVX-512
-  check(tests::measure_packs<core::Isa::Avx512>());
-}
-#endif

@@ -34,7 +34,8 @@ Spent run(const std::string& sweep, const std::string& amount) {
   const tests::ScratchFolder folder;
   const std::filesystem::path output = folder / "result.h5";
   RunProgress progress;
-  run_study(study, plan, everything(plan), output, *thread_queue(2), {}, progress, std::atomic<bool>(false));
+  run_study(study, plan, everything(plan), results::ResultClaim(output), *thread_queue(2), {}, progress,
+            std::atomic<bool>(false));
   const results::Summary summary = results::read_result(output);
   Spent spent;
   for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {

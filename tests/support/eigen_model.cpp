@@ -6,7 +6,7 @@ namespace ridgeloc::tests {
 
 EigenModel::EigenModel(const Sample& sample, const solvers::SolverOptions& options)
     : sample_(sample), options_(options) {
-  positions_ = sample.has_images() && options.z_mode == solvers::ZMode::Fixed ? 2 : 3;
+  positions_ = options.z_mode == solvers::ZMode::Fixed ? 2 : 3;
   free_distance_ = sample.has_images() && options.v_mode != solvers::VMode::Fixed;
   start_ = Column(positions_ + (free_distance_ ? 1 : 0));
   for (long i = 0; i < positions_; ++i) start_(i) = sample.start[static_cast<std::size_t>(i)];

@@ -66,10 +66,10 @@ const FigureBound& bound_of(const FigureData& data, const std::string& text, std
 TEST_CASE("errors are drawn with the median and the quartiles of their bound, in the colour of its group") {
   const Summary summary = bounded_summary();
   const FigureData data = figure_data(summary, error_figure());
-  CHECK(data.bounds == std::vector<std::string>{"bound, median and quartiles"});
+  CHECK(data.bounds == std::vector<std::string>{"bound of unbiased estimates, median and quartiles"});
   REQUIRE(data.panels.size() == 2);
   for (const FigurePanel& panel : data.panels) CHECK(panel.bounds.size() == 2);
-  const FigureBound& bound = bound_of(data, "bound, median and quartiles", 1);
+  const FigureBound& bound = bound_of(data, "bound of unbiased estimates, median and quartiles", 1);
   CHECK(bound.has_band);
   REQUIRE(bound.points.size() == 2);
   const SummaryRow row = summary_row(summary.header, 2, summary.of(1, 2), "crb_m");
@@ -77,18 +77,20 @@ TEST_CASE("errors are drawn with the median and the quartiles of their bound, in
   CHECK(bound.points[0].y == row.p50);
   CHECK(bound.points[0].lo == row.p25);
   CHECK(bound.points[0].hi == row.p75);
-  CHECK(data.footnote.find("; bound, of root mean squares: smallest error") != std::string::npos);
+  CHECK(data.footnote.find("; bound of unbiased estimates, of their root mean squares: smallest error") !=
+        std::string::npos);
 }
 
 TEST_CASE("root mean squares have that of the bound where it is finite, and the quartiles elsewhere") {
   FigureSpec spec = error_figure();
   spec.statistic = "rms";
   const FigureData data = figure_data(bounded_summary(), spec);
-  CHECK(data.bounds == std::vector<std::string>{"bound, median and quartiles", "bound, root mean square"});
-  const FigureBound& quartiles = bound_of(data, "bound, median and quartiles", 0);
+  CHECK(data.bounds == std::vector<std::string>{"bound of unbiased estimates, median and quartiles",
+                                                "bound of unbiased estimates, root mean square"});
+  const FigureBound& quartiles = bound_of(data, "bound of unbiased estimates, median and quartiles", 0);
   REQUIRE(quartiles.points.size() == 1);
   CHECK(quartiles.points[0].x == 3.0);
-  const FigureBound& rms = bound_of(data, "bound, root mean square", 0);
+  const FigureBound& rms = bound_of(data, "bound of unbiased estimates, root mean square", 0);
   CHECK_FALSE(rms.has_band);
   REQUIRE(rms.points.size() == 1);
   CHECK(rms.points[0].x == 5.0);
@@ -108,8 +110,9 @@ TEST_CASE("a bound that several groups share is drawn once, in grey") {
   spec.facet.clear();
   const FigureData both = figure_data(bounded_summary(), spec);
   CHECK(both.panels.at(0).bounds.size() == 2);
-  CHECK(both.bounds == std::vector<std::string>{"bound, median and quartiles (range_sigma_m = 0.1)",
-                                                "bound, median and quartiles (range_sigma_m = 0.5)"});
+  CHECK(both.bounds ==
+        std::vector<std::string>{"bound of unbiased estimates, median and quartiles (range_sigma_m = 0.1)",
+                                 "bound of unbiased estimates, median and quartiles (range_sigma_m = 0.5)"});
 }
 
 TEST_CASE("no bound is drawn where there is none, where it is drawn already, and where it is not wanted") {
@@ -148,7 +151,7 @@ TEST_CASE("more than three bands in a panel become lines") {
     for (std::size_t method = 0; method < 3; ++method) summary.statistics.push_back(two.of(cell, method));
   }
   const FigureData data = figure_data(summary, error_figure());
-  CHECK(data.bounds == std::vector<std::string>{"bound, median"});
+  CHECK(data.bounds == std::vector<std::string>{"bound of unbiased estimates, median"});
   for (const FigureBound& bound : data.panels[0].bounds) CHECK_FALSE(bound.has_band);
 }
 
@@ -195,7 +198,7 @@ TEST_CASE("bounds and conditions are drawn") {
   draw_figure(bounded_summary(), spec, folder / "figure.svg");
   std::ifstream in(folder / "figure.svg");
   const std::string svg{std::istreambuf_iterator<char>(in), {}};
-  CHECK(svg.find("bound, median and quartiles") != std::string::npos);
+  CHECK(svg.find("bound of unbiased estimates, median and quartiles") != std::string::npos);
   CHECK(svg.find("range_sigma_m = 0.5") != std::string::npos);
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "results/figures/figure_layout.hpp"
+#include "results/figures/figure_data.hpp"
 #include "results/statistics/interval.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/message_of.hpp"
@@ -136,7 +136,7 @@ FigureSpec distribution_spec(const char* kind) {
 TEST_CASE("a distribution is a figure with a line per group") {
   const FigureData data = figure_data(synthetic_summary(), distribution_spec("ecdf"));
   CHECK(data.x_label == "position error, all trials [m]");
-  CHECK(data.y_label == "cumulative share of the values");
+  CHECK(data.scales.at(0).label == "cumulative share of the values");
   CHECK(data.log_x);
   REQUIRE(data.panels.size() == 2);
   REQUIRE(data.panels[0].lines.size() == 4);
@@ -144,8 +144,6 @@ TEST_CASE("a distribution is a figure with a line per group") {
   CHECK(data.panels[0].lines[0].points.back().y == 0.8);
   CHECK(data.footnote ==
         "5 values per line; outside of the axis: at most 20 % of a line; lines share trials and are not independent");
-  const FigureLayout layout = figure_layout(data);
-  CHECK(layout.dodge == 0.0);
 
   FigureSpec spec = distribution_spec("ecdf");
   spec.methods = {"rr"};

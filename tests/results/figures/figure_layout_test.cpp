@@ -5,7 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
+#include "results/figures/figure_axes.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
 
 namespace {
 
@@ -16,7 +19,8 @@ FigureData two_lines(const std::vector<double>& xs) {
   FigureData data;
   data.groups = {"first", "second"};
   data.metrics = {""};
-  data.panels = {{"", {{0, 0, {}}, {1, 0, {}}}}};
+  data.scales = {{"height", false}};
+  data.panels = {{"", 0, {{0, 0, {}}, {1, 0, {}}}}};
   for (const double x : xs) {
     data.x_ticks.push_back({x, "label"});
     for (FigureLine& line : data.panels[0].lines) line.points.push_back({x, 2.0, 1.5, 2.5, true});
@@ -25,34 +29,17 @@ FigureData two_lines(const std::vector<double>& xs) {
   return data;
 }
 
-TEST_CASE("lines stand beside each other around their value, within the axis") {
-  for (const bool log_x : {false, true}) {
-    FigureData data = two_lines({1.0, 10.0, 100.0});
-    data.log_x = log_x;
-    const FigureLayout layout = figure_layout(data);
-    const auto& lines = data.panels[0].lines;
-    for (const double x : {1.0, 10.0, 100.0}) {
-      const double left = dodged(data, layout, lines[0], x);
-      const double right = dodged(data, layout, lines[1], x);
-      CHECK(left < x);
-      CHECK(x < right);
-      CHECK(layout.x.low < left);
-      CHECK(right < layout.x.high);
-    }
-  }
-}
-
 TEST_CASE("bars lie within the range, which begins at zero where zero is near") {
   const FigureLayout near_zero = figure_layout([] {
     FigureData data = two_lines({1.0, 2.0});
     data.panels[0].lines[0].points[0].lo = 0.1;
     return data;
   }());
-  CHECK(near_zero.y.low == 0.0);
-  CHECK(near_zero.y.high > 2.5);
+  CHECK(near_zero.panels[0].y.low == 0.0);
+  CHECK(near_zero.panels[0].y.high > 2.5);
   const FigureLayout far = figure_layout(two_lines({1.0, 2.0}));
-  CHECK(far.y.low > 0.0);
-  CHECK(far.y.low < 1.5);
+  CHECK(far.panels[0].y.low > 0.0);
+  CHECK(far.panels[0].y.low < 1.5);
 }
 
 TEST_CASE("infinite points and ends do not stretch the range, and are counted") {
@@ -61,28 +48,28 @@ TEST_CASE("infinite points and ends do not stretch the range, and are counted") 
   data.panels[0].lines[0].points[0] = {1.0, infinity, 2.0, infinity, true};
   data.panels[0].lines[1].points[0].hi = infinity;
   const FigureLayout layout = figure_layout(data);
-  CHECK(layout.y.high < 3.0);
+  CHECK(layout.panels[0].y.high < 3.0);
   REQUIRE(layout.footnote.size() == 1);
   CHECK(layout.footnote[0] == "note; 1 point not shown: infinite");
 }
 
 TEST_CASE("a logarithmic range leaves out what is not positive") {
   FigureData data = two_lines({1.0, 2.0});
-  data.log_y = true;
+  data.scales[0].log = true;
   data.panels[0].lines[0].points[0] = {1.0, 0.0, 0.0, 0.1, true};
   data.panels[0].lines[1].points[0].lo = -1.0;
   const FigureLayout layout = figure_layout(data);
-  CHECK(layout.y.low > 0.5);
+  CHECK(layout.panels[0].y.low > 0.5);
   CHECK_FALSE(is_drawable(data.panels[0].lines[0].points[0], true));
   CHECK(is_drawable(data.panels[0].lines[0].points[0], false));
 }
 
 TEST_CASE("long labels of a logarithmic axis have room beside it") {
   FigureData data = two_lines({1.0, 2.0});
-  data.log_y = true;
-  const double left = figure_layout(data).left;
+  data.scales[0].log = true;
+  const double left = figure_layout(data).panels[0].left;
   data.panels[0].lines[0].points[0].y = data.panels[0].lines[0].points[0].lo = 5e-5;
-  CHECK(figure_layout(data).left > left);  // 0.0001
+  CHECK(figure_layout(data).panels[0].left > left);  // 0.0001
 }
 
 TEST_CASE("tick labels that have no room are left out") {
@@ -110,7 +97,74 @@ TEST_CASE("panels and texts follow each other down the page") {
   CHECK(layout.panels[0].bottom < layout.panels[1].label_y);
   CHECK(layout.panels[1].bottom < layout.x_label_y);
   CHECK(layout.x_label_y < layout.footnote_y);
-  CHECK(layout.footnote_y < layout.height);
+  CHECK(layout.footnote_y < layout.page.height);
+}
+
+TEST_CASE("what was never seen stands at its upper bound on a logarithmic axis, and the footnote says so") {
+  FigureData data = two_lines({1.0, 2.0});
+  data.scales[0].log = true;
+  data.panels[0].lines[0].points[0] = {1.0, 0.0, 0.0, 0.01, false, true};
+  const FigureLayout layout = figure_layout(data);
+  CHECK(layout.panels[0].y.low < 0.01);
+  CHECK(layout.footnote.front().starts_with("note; open triangles: not seen once"));
+  data.scales[0].log = false;
+  CHECK(figure_layout(data).footnote.front() == "note");
+}
+
+TEST_CASE("panels stand in columns, the horizontal axis below the last of each") {
+  FigureData data = two_lines({1.0, 2.0});
+  data.panels.resize(5, data.panels[0]);
+  data.view.columns = 2;
+  const FigureLayout layout = figure_layout(data);
+  CHECK(layout.page.width == 170.0);
+  const auto& p = layout.panels;
+  CHECK(p[0].right < p[1].left);
+  CHECK(p[1].right < layout.page.width);
+  CHECK(p[0].top == p[1].top);
+  CHECK(p[0].left == p[4].left);
+  CHECK(p[2].bottom < p[4].top);
+  const bool lowest[] = {false, false, false, true, true};
+  for (std::size_t i = 0; i < p.size(); ++i) CHECK(p[i].is_lowest == lowest[i]);
+  CHECK(layout.y_labels.size() == 1);
+}
+
+TEST_CASE("quantities of different units have axes and labels of their own beside each other") {
+  FigureData data = two_lines({1.0, 2.0});
+  data.scales.push_back({"rate", false});
+  data.panels.push_back(data.panels[0]);
+  data.panels[1].scale = 1;
+  for (FigureLine& line : data.panels[1].lines)
+    for (FigurePoint& point : line.points) point = {point.x, 0.5, 0.4, 0.6};
+  const FigureLayout layout = figure_layout(data);
+  CHECK(layout.page.width == 170.0);
+  CHECK(layout.panels[0].top == layout.panels[1].top);
+  CHECK(layout.panels[1].y.high < 1.0);
+  CHECK(layout.panels[0].y.high > 2.0);
+  REQUIRE(layout.y_labels.size() == 2);
+  CHECK(layout.y_labels[1].lines == std::vector<std::string>{"rate"});
+  CHECK(layout.y_labels[0].x < layout.panels[0].left);
+  CHECK(layout.panels[0].right < layout.y_labels[1].x);
+}
+
+TEST_CASE("a figure has the size and the limits that are asked for") {
+  FigureData data = two_lines({1.0, 2.0, 3.0});
+  data.view.size = Page{120.0, 90.0};
+  data.view.x = AxisRange{1.5, 3.5};
+  data.view.y = AxisRange{-1.0, 7.0};
+  const FigureLayout layout = figure_layout(data);
+  CHECK(layout.page.width == 120.0);
+  CHECK(layout.page.height == Approx(90.0));
+  CHECK(layout.x.low == 1.5);
+  CHECK(layout.panels[0].y.high == 7.0);
+  CHECK(layout.ticks.size() == 2);
+  CHECK(layout.footnote == std::vector<std::string>{"note; 2 points outside of the axes"});
+  data.view.size = Page{40.0, 20.0};
+  const std::string message = ridgeloc::tests::refusal_of([&] { figure_layout(data); });
+  CHECK(message.find("--size 40x20: this figure needs at least 40x") == 0);
+  data.view.size.reset();
+  data.scales[0].log = true;
+  CHECK(ridgeloc::tests::refusal_of([&] { figure_layout(data); }) ==
+        "--ylim -1:7: the axis is logarithmic; both ends have to be above 0");
 }
 
 TEST_CASE("text is broken at spaces") {

@@ -1,5 +1,6 @@
 #include "results/figures/figure.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -44,7 +45,7 @@ TEST_CASE("a figure resolves into panels, groups and points with their intervals
   const Summary summary = synthetic_summary();
   const FigureData data = figure_data(summary, synthetic_spec());
   CHECK(data.x_label == "number of points");
-  CHECK(data.y_label == "position error, mean [m]");
+  CHECK(data.scales.at(0).label == "position error, mean [m]");
   CHECK(data.group_title == "range noise [m]");
   CHECK(data.groups == std::vector<std::string>{"0.1", "0.5"});
   REQUIRE(data.panels.size() == 2);
@@ -60,7 +61,8 @@ TEST_CASE("a figure resolves into panels, groups and points with their intervals
   CHECK(line.points[0].hi == row.hi);
   CHECK_FALSE(line.points[0].trusted);
   CHECK(data.footnote ==
-        "4 trials per point; bars: 95 % intervals; points share trials and are not independent; dotted bars: "
+        "4 trials per point (80 % or more of those that were run); bars: 95 % intervals; points share trials and are "
+        "not independent; dotted bars: "
         "the interval "
         "itself is uncertain");
 }
@@ -70,9 +72,9 @@ TEST_CASE("a heavy-tailed metric leads with its median; the statistic can be cho
   spec.y = {"error_all_m"};
   const FigureData data = figure_data(synthetic_summary(), spec);
   const SummaryRow row = summary_rows(synthetic_summary())[1];
-  CHECK(data.y_label == "position error, all trials, median [m]");
+  CHECK(data.scales.at(0).label == "position error, all trials, median [m]");
   CHECK(data.panels[0].lines[0].points[0].y == row.p50);
-  CHECK(data.panels[0].lines[0].points[0].hi == row.p50_hi);
+  CHECK(std::isnan(data.panels[0].lines[0].points[0].hi));  // five values are too few for an interval
   spec.statistic = "mean";
   CHECK(figure_data(synthetic_summary(), spec).panels[0].lines[0].points[0].y == row.mean);
 }
@@ -92,12 +94,101 @@ TEST_CASE("several metrics share a label and get legend texts") {
   spec.y = {"error_m", "error_all_m"};
   spec.statistic = "median";
   const FigureData data = figure_data(synthetic_summary(), spec);
-  CHECK(data.y_label == "median [m]");
+  CHECK(data.scales.at(0).label == "median [m]");
   CHECK(data.metrics == std::vector<std::string>{"position error", "position error, all trials"});
   CHECK(data.panels[0].lines.size() == 4);
-  spec.y = {"error_m", "converged"};
+  spec.y = {"error_m", "converged", "error_all_m"};
   CHECK(figure_data(synthetic_summary(), spec).metrics ==
-        std::vector<std::string>{"position error, median [m]", "converged, rate"});
+        std::vector<std::string>{"position error, median [m]", "converged, rate",
+                                 "position error, all trials, median [m]"});
+}
+
+TEST_CASE("an error and the rate at which it is one stand beside each other, each with an axis of its own") {
+  FigureSpec spec = synthetic_spec();
+  spec.y = {"error_m", "converged"};
+  spec.log_y = true;
+  const FigureData data = figure_data(synthetic_summary(), spec);
+  REQUIRE(data.scales.size() == 2);
+  CHECK(data.scales[0].label == "position error, mean [m]");
+  CHECK(data.scales[0].log);
+  CHECK(data.scales[1].label == "converged, rate");
+  CHECK_FALSE(data.scales[1].log);
+  CHECK(data.metrics == std::vector<std::string>{""});
+  REQUIRE(data.panels.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(data.panels[i].label == (i < 2 ? "rr" : "rrr"));
+    CHECK(data.panels[i].scale == i % 2);
+    CHECK(data.panels[i].lines.size() == 2);
+  }
+  CHECK(data.panels[1].lines[0].points[0].y == 0.8);
+}
+
+TEST_CASE("a quantile is drawn with its interval from order statistics") {
+  Summary summary = synthetic_summary();
+  std::vector<double> values;
+  for (int i = 1; i <= 1000; ++i) values.push_back(i / 100.0);
+  for (Statistics& statistics : summary.statistics) statistics.metrics[0] = statistics_of(values);
+  FigureSpec spec = synthetic_spec();
+  spec.statistic = "p95";
+  const FigureData data = figure_data(summary, spec);
+  const SummaryRow row = summary_rows(summary)[0];
+  const FigurePoint point = data.panels[0].lines[0].points[0];
+  CHECK(data.scales.at(0).label == "position error, 95 % quantile [m]");
+  CHECK(point.y == row.p95);
+  CHECK(point.lo == row.p95_lo);
+  CHECK(point.hi == row.p95_hi);
+  CHECK(point.trusted);
+  spec.statistic = "p99";
+  CHECK(figure_data(summary, spec).panels[0].lines[0].points[0].y == Approx(9.9).epsilon(0.01));
+  for (Statistics& statistics : summary.statistics) statistics.metrics[0] = statistics_of(std::vector{-1.0, 1.0});
+  CHECK(figure_data(summary, spec).panels[0].lines[0].points.empty());
+}
+
+TEST_CASE("a rate of which nothing was seen knows its upper bound") {
+  Summary summary = synthetic_summary();
+  for (Statistics& statistics : summary.statistics) statistics = {300, {300, 0, 300}, statistics.metrics};
+  FigureSpec spec = synthetic_spec();
+  spec.y = {"max_iterations"};
+  const FigurePoint none = figure_data(summary, spec).panels[0].lines[0].points[0];
+  CHECK(none.never_seen);
+  CHECK(none.y == 0.0);
+  CHECK(none.hi == 0.01);
+  spec.y = {"converged"};
+  CHECK_FALSE(figure_data(summary, spec).panels[0].lines[0].points[0].never_seen);
+}
+
+TEST_CASE("more lines than can be told apart are refused with what to do") {
+  Summary summary = synthetic_summary();
+  Header& header = summary.header;
+  for (int i = 0; i < 10; ++i) {
+    header.axes[1].values.emplace_back(1.0 + i);
+    header.cells.push_back({"cell", {0, static_cast<std::size_t>(i + 2)}});
+    summary.statistics.insert(summary.statistics.end(), {five_trials(1.0), five_trials(1.0)});
+  }
+  FigureSpec spec = synthetic_spec();
+  spec.group = {"range_sigma_m", "method"};
+  spec.facet.clear();
+  CHECK(figure_data(summary, spec).panels[0].lines.size() == 24);
+  header.methods.push_back({"lm", "h3", ""});
+  header.methods.push_back({"ols", "h4", ""});
+  const std::vector<Statistics> two = summary.statistics;
+  summary.statistics.clear();
+  for (std::size_t i = 0; i < two.size(); i += 2)
+    summary.statistics.insert(summary.statistics.end(), {two[i], two[i + 1], two[i], two[i + 1]});
+  const std::string message = tests::refusal_of([&] { figure_data(summary, spec); });
+  CHECK(message.find("48 lines in one panel cannot be told apart (at most 30)") != std::string::npos);
+  CHECK(message.find("range_sigma_m, method a panel for each value (facet)") != std::string::npos);
+  spec.group = {"range_sigma_m"};
+  spec.facet = "method";
+  CHECK(figure_data(summary, spec).panels.size() == 4);
+}
+
+TEST_CASE("a logarithmic axis is refused to what is not above zero") {
+  Summary summary = synthetic_summary();
+  CHECK(figure_data(summary, synthetic_spec(), {.log_x = true}).log_x);
+  summary.header.axes[0].values[0] = std::int64_t{0};
+  const std::string message = tests::refusal_of([&] { figure_data(summary, synthetic_spec(), {.log_x = true}); });
+  CHECK(message == "figure 'errors': --log-x needs an axis of numbers above 0, and points is none");
 }
 
 TEST_CASE("an axis of texts is drawn as categories, one that spans decades logarithmically") {
@@ -161,6 +252,69 @@ TEST_CASE("figures are drawn in all three formats and leave nothing else behind"
   const std::string svg = content(folder / "figure.svg");
   CHECK(svg.find("`touch x` $(y) \\n {a}_b^c @d # e") != std::string::npos);
   CHECK(svg.find("range noise [m]") != std::string::npos);
+}
+
+/// The texts of an SVG, one after the other.
+std::string texts_of(const std::string& svg) {
+  std::string text;
+  for (std::size_t at = svg.find("<text>"); at != std::string::npos; at = svg.find("<text>", at + 1))
+    text += svg.substr(at, svg.find("</text>", at) - at) + "\n";
+  const std::pair<const char*, const char*> entities[] = {{"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}};
+  for (const auto& [entity, character] : entities) {
+    for (std::size_t at = text.find(entity); at != std::string::npos; at = text.find(entity, at + 1))
+      text.replace(at, std::string(entity).size(), character);
+  }
+  return text;
+}
+
+TEST_CASE("every printable character is drawn as it is at every place, at the beginning, within and at the end") {
+  const tests::ScratchFolder folder;
+  Summary summary = synthetic_summary();
+  Header& header = summary.header;
+  std::string all;
+  for (char c = '!'; c <= '~'; ++c) all += c;
+  const std::string texts[] = {
+      "'Robust' methods", "\"a", "a\"", "`date`", "@x", "#c", "100 %", all, "\\", "a\\n", "größe"};
+  for (const std::string& text : texts) {
+    INFO(text);
+    header.axes[0].values = {text, std::string("other")};
+    header.axes[0].description = "axis" + text;
+    header.axes[1].description = text + "legend";
+    header.methods[0].label = text + "panel";
+    header.schema.metrics[0].description = "y" + text;
+    FigureSpec spec = synthetic_spec();
+    spec.title = "title" + text;
+    draw_figure(summary, spec, folder / "it's `a` \"$(b)\".svg");
+    const std::string drawn = texts_of(content(folder / "it's `a` \"$(b)\".svg"));
+    for (const std::string& expected : {">" + text + "\n", "axis" + text, text + "legend", text + "panel"})
+      CHECK(drawn.find(expected.substr(expected.front() == '>' ? 1 : 0)) != std::string::npos);
+    if (text != all) CHECK(drawn.find("title" + text) != std::string::npos);
+    if (text != all) CHECK(drawn.find("y" + text) != std::string::npos);
+  }
+}
+
+TEST_CASE("an SVG says what it shows and of which data") {
+  const tests::ScratchFolder folder;
+  FigureSpec spec = synthetic_spec();
+  spec.title = "Errors <&>";
+  draw_figure(synthetic_summary(), spec, folder / "figure.svg", {}, "0123abcd");
+  const std::string svg = content(folder / "figure.svg");
+  CHECK(svg.find("<title>Errors &lt;&amp;&gt;</title>") != std::string::npos);
+  CHECK(svg.find("<desc>position error, mean [m] against number of points") != std::string::npos);
+  CHECK(svg.find("Data: SHA-256 0123abcd</desc>") != std::string::npos);
+}
+
+TEST_CASE("values at the ends of what a double holds are drawn") {
+  const tests::ScratchFolder folder;
+  Summary summary = synthetic_summary();
+  summary.header.axes[0].values = {1e-300, 1e300};
+  const double tiny = GENERATE(1e-300, 3e-310);
+  for (Statistics& statistics : summary.statistics)
+    statistics.metrics[0] = statistics_of(std::vector{tiny, 2 * tiny, 3 * tiny});
+  FigureSpec spec = synthetic_spec();
+  spec.log_y = GENERATE(false, true);
+  const FigureView view{.log_x = GENERATE(false, true)};
+  CHECK_NOTHROW(draw_figure(summary, spec, folder / "figure.svg", view));
 }
 
 TEST_CASE("distributions are drawn, with logarithmic shares too") {

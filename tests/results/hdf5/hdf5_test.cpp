@@ -1,5 +1,7 @@
 #include "results/hdf5/hdf5.hpp"
 
+#include <sys/stat.h>
+
 #include <cmath>
 #include <limits>
 
@@ -132,4 +134,75 @@ TEST_CASE("an extent that no stored bytes can fill is refused before memory is a
   H5Fclose(file);
   const std::string message = tests::message_of([&] { hdf5::File::open(path).read<std::uint64_t>("/x"); });
   CHECK(tests::lacking(message, {"cannot read /x", "the file is too small for its size"}) == "");
+}
+
+namespace {
+
+/// A file with a dataset /g/x, changed by `change`, which is given its identifier.
+template <class Change>
+fs::path changed_file(const fs::path& path, Change&& change) {
+  hdf5::File file = hdf5::File::create(path);
+  file.create_group("/g");
+  file.write("/g/x", std::vector<double>{1.0, 2.0});
+  file.close();
+  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  change(id);
+  H5Fclose(id);
+  return path;
+}
+
+/// Replaces /g/x by a dataset whose values lie elsewhere.
+template <class Layout>
+void replace_values(hid_t file, Layout&& layout) {
+  const hsize_t extent = 2;
+  const hid_t space = H5Screate_simple(1, &extent, nullptr);
+  const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+  layout(properties, space);
+  H5Ldelete(file, "/g/x", H5P_DEFAULT);
+  H5Dclose(H5Dcreate2(file, "/g/x", H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT));
+  H5Pclose(properties);
+  H5Sclose(space);
+}
+
+}  // namespace
+
+TEST_CASE("HDF5: nothing is read from another file, and a pipe behind a link holds nobody up") {
+  const tests::ScratchFolder folder;
+  const fs::path pipe = folder / "pipe";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  const fs::path path = folder / "a.h5";
+  std::string object = "/g/x";
+  SECTION("an external link instead of a dataset") {
+    changed_file(path, [&](hid_t file) {
+      H5Ldelete(file, "/g/x", H5P_DEFAULT);
+      H5Lcreate_external(pipe.c_str(), "/x", file, "/g/x", H5P_DEFAULT, H5P_DEFAULT);
+    });
+  }
+  SECTION("an external link instead of a group") {
+    object = "/g";
+    changed_file(path, [&](hid_t file) {
+      H5Ldelete(file, "/g", H5P_DEFAULT);
+      H5Lcreate_external(pipe.c_str(), "/", file, "/g", H5P_DEFAULT, H5P_DEFAULT);
+    });
+    const hdf5::File file = hdf5::File::open(path);
+    CHECK(tests::lacking(tests::refusal_of([&] { static_cast<void>(file.contains("/g/x")); }), {object}) == "");
+    CHECK(tests::lacking(tests::refusal_of([&] { file.content_digest(); }), {object}) == "");
+    CHECK(tests::lacking(tests::refusal_of([&] { file.attribute_names("/g"); }), {object}) == "");
+    CHECK(tests::lacking(tests::refusal_of([&] { file.text_attribute("/g", "a"); }), {object}) == "");
+  }
+  SECTION("external storage") {
+    changed_file(path, [&](hid_t file) {
+      replace_values(file, [&](hid_t properties, hid_t) { H5Pset_external(properties, pipe.c_str(), 0, 16); });
+    });
+    CHECK(tests::lacking(tests::refusal_of([&] { hdf5::File::open(path).content_digest(); }), {object}) == "");
+  }
+  SECTION("a virtual dataset") {
+    changed_file(path, [&](hid_t file) {
+      replace_values(
+          file, [&](hid_t properties, hid_t space) { H5Pset_virtual(properties, space, pipe.c_str(), "/x", space); });
+    });
+    CHECK(tests::lacking(tests::refusal_of([&] { hdf5::File::open(path).content_digest(); }), {object}) == "");
+  }
+  const std::string message = tests::refusal_of([&] { hdf5::File::open(path).read<double>("/g/x"); });
+  CHECK(tests::lacking(message, {path.string() + ": " + object + " is a link or lies in another file"}) == "");
 }

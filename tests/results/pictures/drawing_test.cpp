@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "results/pictures/drawing_layout.hpp"
 #include "results/pictures/drawing_script.hpp"
+#include "results/pictures/gnuplot.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -103,11 +104,11 @@ TEST_CASE("texts stand beside their points without covering each other") {
 
 TEST_CASE("the script of a picture holds its lines, marks, contours and texts") {
   const std::string script = drawing_script(sample(), FigureFormat::Svg, "out.svg");
-  CHECK(contains(script, "set output 'out.svg'"));
-  CHECK(contains(script, "'it''s a scene'"));
-  CHECK(contains(script, "'stays: converged'"));
-  CHECK(contains(script, "'minimum'"));
-  CHECK(contains(script, "leaves ends outside the picture, at (1e+05, 2)"));
+  CHECK(contains(script, "set output " + gnuplot_string("out.svg")));
+  for (const char* text : {"it's a scene", "stays: converged", "minimum"})
+    CHECK(contains(script, gnuplot_string(text)));
+  const std::string outside = gnuplot_string("leaves ends outside the picture, at (1e+05, 2)");
+  CHECK(contains(script, outside.substr(1, outside.size() - 2)));  // a part of the footnote
   CHECK(contains(script, "set cntrparam levels discrete 0.5,1.5"));
   CHECK(contains(script, "10 10 NaN"));
   CHECK(contains(script, "set xrange [0:10]\nset yrange [0:10]"));

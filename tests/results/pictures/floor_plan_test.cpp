@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "results/pictures/floor_plan_script.hpp"
+#include "results/pictures/gnuplot.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -48,13 +49,13 @@ bool contains(const std::string& text, const std::string& piece) {
 
 TEST_CASE("a floor plan has one panel per method, in one window") {
   const std::string text = script();
-  CHECK(contains(text, "set output 'out.svg'"));
-  for (const char* piece : {"'it''s a floor'", "'first'", "'second'", "'third'", "'note'"})
-    CHECK(count(text, piece) == 1);
+  CHECK(contains(text, "set output " + gnuplot_string("out.svg")));
+  for (const char* piece : {"it's a floor", "first", "second", "third", "note"})
+    CHECK(count(text, gnuplot_string(piece)) == 1);
   CHECK(count(text, "set xrange [0:10]\nset yrange [0:5]") == 3);
   CHECK(count(text, "$outlines using 1:2 with lines") == 3);
-  CHECK(count(text, "'x [m]'") == 2);  // below either column
-  CHECK(count(text, "'y [m]'") == 2);  // beside either row
+  CHECK(count(text, gnuplot_string("x [m]")) == 2);  // below either column
+  CHECK(count(text, gnuplot_string("y [m]")) == 2);  // beside either row
 }
 
 TEST_CASE("outlines are lines of their own") {
@@ -78,8 +79,8 @@ TEST_CASE("places are marked, tiles are squares of their side and lie below ever
 
 TEST_CASE("keys stand beside samples of their marks") {
   const std::string text = script();
-  CHECK(count(text, "'truth'") == 1);
-  CHECK(count(text, "'tile'") == 1);
+  CHECK(count(text, gnuplot_string("truth")) == 1);
+  CHECK(count(text, gnuplot_string("tile")) == 1);
   CHECK(contains(text, "$key0 using 1:2 with points pt 3"));
   CHECK(contains(text, "$key1 using 1:2:3:4 with boxxyerror"));
 }

@@ -13,9 +13,12 @@ using namespace ridgeloc;
 using namespace ridgeloc::results;
 
 TEST_CASE("strings are quoted so that gnuplot changes nothing in them") {
-  CHECK(gnuplot_string("it's `date` \\n \"x\" @y") == "'it''s `date` \\n \"x\" @y'");
-  CHECK(gnuplot_string("two\nlines\tand a tab") == "'two lines and a tab'");
-  CHECK(gnuplot_tick_label("5%") == "'5%%'");
+  CHECK(gnuplot_string("it's") == R"("it\047s")");
+  CHECK(gnuplot_string("0.12 1") == R"("0\056\061\062 1")");
+  CHECK(gnuplot_string("`a` \\n \"x\" @y #z") == R"("\140a\140 \134n \042x\042 \100y \043z")");
+  CHECK(gnuplot_string("two\nlines\tand a tab") == "\"two lines and a tab\"");
+  CHECK(gnuplot_string("größe 12") == "\"größe 12\"");
+  CHECK(gnuplot_tick_label("5%") == R"("5\045\045")");
 }
 
 TEST_CASE("a script that fails is an I/O error with gnuplot's message on one line") {

@@ -285,6 +285,50 @@ TEST_CASE("differences of methods stand in tables of their own, by their mean, a
   CHECK(count(html, "<th scope=\"row\">rrr - rr</th>") == 1 + 4);  // among the methods, and in the table of all
 }
 
+TEST_CASE("a report begins with the best method of each cell, and whether the trials show it") {
+  ReportSource source = synthetic_source();
+  source.summary.header.schema.metrics[0].is_compared = true;
+  for (std::size_t cell = 0; cell < 4; ++cell) {
+    for (std::size_t method = 0; method < 2; ++method) {
+      std::vector<double> values;
+      for (int i = 0; i < 100; ++i) values.push_back(1.0 + 0.01 * (i % 10) + (cell < 2 && method == 0 ? 1.0 : 0.0));
+      Statistics& statistics = source.summary.statistics[2 * cell + method];
+      statistics.metrics[0] = statistics_of(values);
+      statistics.trials = cell == 0 ? 120 : 100;
+    }
+  }
+  source.rows = summary_rows(source.summary);
+  const std::string html = report_html({source});
+  CHECK(html.find(">Which method is best where</h2>") < html.find(">Overview</h2>"));
+  CHECK(contains(html, "<li>rrr: best in 2 of 4 cells, significantly in 2; not shown to be worse in 2 more</li>"));
+  CHECK(contains(html, "<li>rr: best in 2 of 4 cells, significantly in 0; not shown to be worse in 0 more</li>"));
+  CHECK(count(html, "<b class=\"best\">1.0450 ± 0.0029 *</b>") == 2);
+  CHECK(count(html, "1.0450 ± 0.0029 ≈</td>") == 2);
+  CHECK(contains(html, "Not all trials have a value"));
+  CHECK(contains(report_html({synthetic_source()}), "no measure by which methods are ranked"));
+}
+
+TEST_CASE("settings in which methods differ stand before all settings") {
+  ReportSource source = synthetic_source();
+  source.summary.header.methods[0].description = "solver = rr, start = \"given\", k = \"a, b = c\", depth = [1, 2]";
+  source.summary.header.methods[1].description = "solver = rrr, start = \"given\", k = \"gm\", theta_m = 0.05";
+  const std::string html = report_html({source});
+  CHECK(contains(html, "<tr><th scope=\"col\">method</th><th scope=\"col\">solver</th><th scope=\"col\">k</th></tr>"));
+  CHECK(contains(html, "<tr><th scope=\"row\">rr</th><td>rr</td><td>&quot;a, b = c&quot;</td></tr>"));
+  CHECK(html.find("Settings in which methods differ") < html.find("Methods and all settings that they read"));
+  CHECK(contains(html, "<details>\n<summary>All settings</summary>"));
+}
+
+TEST_CASE("the table of all numbers is left to other programs where it is long") {
+  ReportSource source = synthetic_source();
+  CHECK(contains(report_html({source}), "All numbers in one table"));
+  const std::vector<SummaryRow> rows = source.rows;
+  while (source.rows.size() <= 2000) source.rows.insert(source.rows.end(), rows.begin(), rows.end());
+  const std::string html = report_html({source});
+  CHECK_FALSE(contains(html, "All numbers in one table"));
+  CHECK(contains(html, "All " + std::to_string(source.rows.size()) + " rows with every number, as CSV"));
+}
+
 TEST_CASE("a figure that cannot be made of the result is replaced by the reason") {
   ReportSource source = synthetic_source();
   source.summary.header.figures[0].facet.clear();

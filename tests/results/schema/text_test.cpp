@@ -21,6 +21,12 @@ TEST_CASE("factor values and cells as people write them") {
   CHECK(cell_text(synthetic_summary().header, 1) == "points = 3, range_sigma_m = 0.5");
 }
 
+TEST_CASE("counts agree with their noun") {
+  CHECK(count_text(0, "cell") == "0 cells");
+  CHECK(count_text(1, "cell") == "1 cell");
+  CHECK(count_text(12, "thread") == "12 threads");
+}
+
 TEST_CASE("exact text reads back as the same bits") {
   for (const double value : {0.1, 1.0 / 3.0, 1e300, 5e-324, -2.5})
     CHECK(std::strtod(exact_text(value).c_str(), nullptr) == value);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -15,6 +16,7 @@ namespace {
 using namespace ridgeloc::results;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double largest = std::numeric_limits<double>::max();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Histogram histogram_of(const std::vector<double>& values) {
@@ -24,20 +26,42 @@ Histogram histogram_of(const std::vector<double>& values) {
 }
 
 TEST_CASE("each bin begins at its lower edge and ends before the next") {
-  for (std::uint32_t bin = 1; bin < Histogram::bins; ++bin) {
+  for (std::uint32_t bin = 1; bin <= Histogram::infinite_bin; ++bin) {
     const double edge = Histogram::lower_edge(bin);
     REQUIRE(Histogram::bin_of(edge) == bin);
     REQUIRE(Histogram::bin_of(std::nextafter(edge, 0.0)) == bin - 1);
   }
   CHECK(Histogram::lower_edge(0) == 0.0);
-  CHECK(Histogram::lower_edge(1) == std::ldexp(1.0, Histogram::lowest_octave));
-  CHECK(Histogram::lower_edge(Histogram::bins - 1) == std::ldexp(1.0, Histogram::highest_octave));
-  CHECK(Histogram::lower_edge(Histogram::bins) == infinity);
+  CHECK(Histogram::lower_edge(1) == std::ldexp(1.0, -1027));
+  CHECK(Histogram::lower_edge(Histogram::infinite_bin) == infinity);
+  CHECK(Histogram::lower_edge(Histogram::infinite_bin + 1) == infinity);
 }
 
-TEST_CASE("values off the grid fall into the end bins") {
-  for (const double small : {0.0, -0.0, 5e-324, 1e-13, -1.0, -infinity}) CHECK(Histogram::bin_of(small) == 0);
-  for (const double large : {1.1e6, 1e300, infinity}) CHECK(Histogram::bin_of(large) == Histogram::bins - 1);
+TEST_CASE("zero, negative and infinite values fall into the end bins, all others between") {
+  for (const double small : {0.0, -0.0, 5e-324, -1.0, -infinity}) CHECK(Histogram::bin_of(small) == 0);
+  CHECK(Histogram::bin_of(infinity) == Histogram::infinite_bin);
+  for (const double inner : {std::numeric_limits<double>::min(), 1e-13, 1.0, 1.6e12, largest}) {
+    CHECK(Histogram::bin_of(inner) > 0);
+    CHECK(Histogram::bin_of(inner) < Histogram::infinite_bin);
+  }
+}
+
+TEST_CASE("adding counts every value in its bin, whatever lies beside it") {
+  std::mt19937_64 engine(5);
+  std::uniform_real_distribution<double> decades(-300.0, 300.0);
+  const std::vector<double> ends = {0.0, -1.0, 5e-324, infinity, -infinity, largest, nan, -nan};
+  for (const std::size_t with : {std::size_t{0}, std::size_t{3}, ends.size()}) {
+    std::vector<double> values(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(with));
+    for (int i = 0; i < 3001; ++i) values.push_back(std::pow(10.0, decades(engine)));
+    std::map<std::uint32_t, std::uint64_t> expected;
+    for (const double value : values) {
+      if (!std::isnan(value)) ++expected[Histogram::bin_of(value)];
+    }
+    const Histogram histogram = histogram_of(values);
+    REQUIRE(histogram.bins().size() == expected.size());
+    for (const auto& [bin, count] : expected) REQUIRE(histogram.count_in(bin) == count);
+    CHECK(histogram.count_in(Histogram::bin_of(largest) - 1) == 0);
+  }
 }
 
 TEST_CASE("the integers 1 to 64 have bins of their own") {
@@ -51,12 +75,12 @@ TEST_CASE("NaN is not counted, of either sign") {
   CHECK(histogram_of({1.0, nan, infinity, -nan}).total() == 2);
 }
 
-TEST_CASE("only the range in use is kept") {
-  const Histogram histogram = histogram_of({4.0, 1.0, 4.0});
-  CHECK(histogram.first_bin() == Histogram::bin_of(1.0));
-  CHECK(histogram.counts().size() == 2 * Histogram::bins_per_octave + 1);
-  CHECK(histogram.counts().front() == 1);
-  CHECK(histogram.counts().back() == 2);
+TEST_CASE("only bins in use are kept") {
+  const Histogram histogram = histogram_of({4.0, 1e300, 4.0, 0.0});
+  REQUIRE(histogram.bins().size() == 3);
+  CHECK(histogram.bins()[0] == Histogram::Bin{0, 1});
+  CHECK(histogram.bins()[1] == Histogram::Bin{Histogram::bin_of(4.0), 2});
+  CHECK(histogram.bins()[2] == Histogram::Bin{Histogram::bin_of(1e300), 1});
 }
 
 TEST_CASE("merging gives the histogram of the union, in any order") {
@@ -80,11 +104,15 @@ TEST_CASE("merging gives the histogram of the union, in any order") {
   CHECK(nothing == both);
 }
 
-TEST_CASE("a histogram is what its first bin and counts say, and refuses counts beyond the last bin") {
+TEST_CASE("a histogram is what its bins say, and refuses bins that cannot be") {
   const Histogram made = histogram_of({3.0, 3.1, 9.0});
-  CHECK(Histogram(made.first_bin(), made.counts()) == made);
-  CHECK_NOTHROW(Histogram(Histogram::bins - 1, {1}));
-  CHECK_THROWS_AS(Histogram(Histogram::bins - 1, {1, 1}), std::invalid_argument);
+  CHECK(Histogram(made.bins()) == made);
+  using Bins = std::vector<Histogram::Bin>;
+  CHECK_NOTHROW(Histogram(Bins{{0, 1}, {Histogram::infinite_bin, 1}}));
+  CHECK_THROWS_AS(Histogram(Bins{{Histogram::infinite_bin + 1, 1}}), std::invalid_argument);
+  CHECK_THROWS_AS(Histogram(Bins{{7, 1}, {7, 1}}), std::invalid_argument);
+  CHECK_THROWS_AS(Histogram(Bins{{8, 1}, {7, 1}}), std::invalid_argument);
+  CHECK_THROWS_AS(Histogram(Bins{{7, 0}}), std::invalid_argument);
 }
 
 TEST_CASE("quantiles are linear within a bin") {
@@ -95,9 +123,19 @@ TEST_CASE("quantiles are linear within a bin") {
   CHECK(histogram.quantile(1.0) == 1.0 + 1.0 / 32);
 }
 
+TEST_CASE("the bins at the ends of a sample reach to its extremes alone, where these are given") {
+  const Histogram histogram = histogram_of({1.01, 1.01, 2.0, 2.0, 4.1, 4.1});
+  CHECK(histogram.quantile(0.0, {1.01, 4.1}) == 1.01);
+  CHECK(histogram.quantile(0.5, {1.01, 4.1}) == histogram.quantile(0.5));
+  CHECK(histogram.quantile(1.0, {1.01, 4.1}) == 4.1);
+  CHECK(histogram.quantile(5.0 / 6.0, {1.01, 4.1}) == Approx(4.05));
+}
+
 TEST_CASE("quantiles at the ends of the scale") {
   CHECK(std::isnan(Histogram{}.quantile(0.5)));
-  CHECK(histogram_of({0.0, 0.0}).quantile(0.5) == 0.5 * std::ldexp(1.0, Histogram::lowest_octave));
+  CHECK(histogram_of({0.0, 0.0}).quantile(0.5) == 0.5 * std::ldexp(1.0, -1027));
+  CHECK(histogram_of({largest}).quantile(0.0) == Histogram::lower_edge(Histogram::infinite_bin - 1));
+  CHECK(histogram_of({largest}).quantile(1.0) == largest);
   const Histogram half_failed = histogram_of({1.0, 2.0, infinity, infinity});
   CHECK(half_failed.quantile(0.5) == 2.0 + 2.0 / 32);
   CHECK(half_failed.quantile(0.51) == infinity);
@@ -113,6 +151,24 @@ TEST_CASE("quantiles of a sample are within a bin of the sorted values") {
   for (const double q : {0.05, 0.25, 0.5, 0.75, 0.95}) {
     const double exact = values[static_cast<std::size_t>(q * 10001.0)];
     CHECK(std::abs(histogram.quantile(q) - exact) <= exact / Histogram::bins_per_octave);
+  }
+}
+
+TEST_CASE("quantiles of squares are the squares of quantiles, however large and small") {
+  // A bin is 1/32 of its value wide at most, so each is right to that much, and a square to twice as much.
+  std::mt19937_64 engine(4);
+  std::lognormal_distribution<double> distribution(0.0, 12.0);
+  std::vector<double> values(10001), squares;
+  for (double& value : values) value = distribution(engine);
+  for (const double value : values) squares.push_back(value * value);
+  const Histogram of_values = histogram_of(values);
+  const Histogram of_squares = histogram_of(squares);
+  REQUIRE(of_squares.quantile(0.01) < 1e-20);
+  REQUIRE(of_squares.quantile(0.99) > 1e20);
+  for (const double q : {0.001, 0.01, 0.05, 0.5, 0.95, 0.99, 0.999}) {
+    const double square = std::pow(of_values.quantile(q), 2);
+    INFO("q = " << q);
+    CHECK(std::abs(of_squares.quantile(q) - square) <= square * 3.1 / Histogram::bins_per_octave);
   }
 }
 

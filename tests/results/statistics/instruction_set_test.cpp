@@ -75,11 +75,9 @@ Histogram plain_histogram(const std::vector<double>& values) {
   for (const double value : values) {
     if (!std::isnan(value)) ++counts[Histogram::bin_of(value)];
   }
-  if (counts.empty()) return {};
-  const std::uint32_t first = counts.begin()->first;
-  std::vector<std::uint64_t> filled(counts.rbegin()->first - first + 1);
-  for (const auto& [bin, count] : counts) filled[bin - first] = count;
-  return {first, std::move(filled)};
+  std::vector<Histogram::Bin> bins;
+  for (const auto& [number, count] : counts) bins.push_back({number, count});
+  return Histogram(std::move(bins));
 }
 
 using tests::same_bits;

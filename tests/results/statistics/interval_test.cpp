@@ -100,11 +100,27 @@ TEST_CASE("quantile interval: ranks worked by hand") {
 
 TEST_CASE("quantile interval of a small sample ends with the sample, and is infinite where trials failed") {
   Histogram histogram;
-  histogram.add(std::vector{1.0, 2.0, std::numeric_limits<double>::infinity()});
+  histogram.add(std::vector{1.0, 2.0, 3.0, 4.0, 5.0, std::numeric_limits<double>::infinity()});
   const Interval interval = quantile_interval(histogram, 0.5);
   CHECK(interval.lo == 1.0);
   CHECK(interval.hi == std::numeric_limits<double>::infinity());
   CHECK(std::isnan(quantile_interval(Histogram{}, 0.5).lo));
+}
+
+TEST_CASE("there is no quantile interval where all of the sample would cover less than 95 %") {
+  // All n values lie on one side of the quantile with a chance of q^n: 0.5^5 = 3.1 % twice, and 0.95^59 = 4.8 %.
+  const auto is_known = [](int n, double q) {
+    Histogram histogram;
+    for (int i = 1; i <= n; ++i) histogram.add(std::vector{static_cast<double>(i)});
+    const Interval interval = quantile_interval(histogram, q);
+    CHECK(std::isnan(interval.lo) == std::isnan(interval.hi));
+    return !std::isnan(interval.lo);
+  };
+  CHECK_FALSE(is_known(5, 0.5));
+  CHECK(is_known(6, 0.5));
+  CHECK_FALSE(is_known(59, 0.95));
+  CHECK(is_known(60, 0.95));
+  CHECK_FALSE(is_known(59, 0.05));
 }
 
 }  // namespace
@@ -125,6 +141,24 @@ TEST_CASE("the root mean square and its error are those of the squares themselve
   CHECK(root_mean_square_error(moments_of(std::vector<double>{0.0, 0.0})) == 0.0);
   CHECK(std::isnan(root_mean_square(Moments{})));
   CHECK(std::isnan(root_mean_square_interval(moments_of(std::vector<double>{1.0})).lo));
+}
+
+TEST_CASE("the largest share of squares is that of the value furthest from the mean square") {
+  for (const std::vector<double>& values :
+       {std::vector<double>{0.5, 1.0, 2.5, 7.0, 7.5, 4.0}, {5.0, 5.5, 6.0, 1.0, 5.0}, {-3.0, 0.0, 1.0, 2.0}}) {
+    const double mean_square = std::pow(root_mean_square(moments_of(values)), 2);
+    double largest = 0.0;
+    double sum = 0.0;
+    for (const double v : values) {
+      const double deviation = std::pow(v * v - mean_square, 2);
+      largest = std::max(largest, deviation);
+      sum += deviation;
+    }
+    const auto [min, max] = std::minmax_element(values.begin(), values.end());
+    CHECK(largest_share_of_squares(moments_of(values), *min, *max) == Approx(largest / sum).epsilon(1e-12));
+  }
+  CHECK(largest_share_of_squares(moments_of(std::vector<double>{2.0, 2.0}), 2.0, 2.0) == 0.0);
+  CHECK(std::isnan(largest_share_of_squares(moments_of(std::vector<double>{2.0}), 2.0, 2.0)));
 }
 
 TEST_CASE("the range of chi-square means is that of tables") {

@@ -176,7 +176,7 @@ TEST_CASE("a study without sweep and without kept trials is a result like any ot
   CHECK(summary.of(0, 0).trials == header.trials);
   CHECK(read_trials(folder / "r.h5", 0, 0).trial.empty());
   const hdf5::File file = hdf5::File::open(folder / "r.h5");
-  CHECK(file.shape("/summary/error_m") == hdf5::Shape{3, 24});
+  CHECK(file.shape("/summary/error_m") == hdf5::Shape{3, 25});
 }
 
 TEST_CASE("totals that have changed since the result was sealed are not read") {
@@ -237,9 +237,9 @@ TEST_CASE("what is no readable result is refused with a line that says so") {
   SECTION("newer") {
     hdf5::File file = hdf5::File::create(path);
     file.write_attribute("/", "filetype", std::string("ridgeloc-result"));
-    file.write_attribute("/", "version", std::vector<std::uint64_t>{2, 0});
+    file.write_attribute("/", "version", std::vector<std::uint64_t>{3, 0});
     file.close();
-    reason = "format version 2.0";
+    reason = "format version 3.0";
   }
   SECTION("truncated") {
     tests::write_sample(path, tests::sample_header());

@@ -161,11 +161,11 @@ TEST_CASE("tables and CSV have ratios, figures draw them if they name them") {
   CHECK(figure_data(summary, spec).groups == std::vector<std::string>{"rr", "rrr"});
   spec.methods = {"rrr / rr"};
   const FigureData data = figure_data(summary, spec);
-  CHECK(data.y_label == "position error, all trials, ratio of the means");
+  CHECK(data.scales.at(0).label == "position error, all trials, ratio of the means");
   REQUIRE(data.panels[0].lines.size() == 1);
   CHECK(data.panels[0].lines[0].points.size() == 2);
   spec.methods = {"rrr - rr"};
-  CHECK(figure_data(summary, spec).y_label == "position error, all trials, mean [m]");
+  CHECK(figure_data(summary, spec).scales.at(0).label == "position error, all trials, mean [m]");
 
   const auto refusal = [&] { return tests::refusal_of([&] { figure_data(summary, spec); }); };
   spec.methods = {"rrr / rr", "rr"};

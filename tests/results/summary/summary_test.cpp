@@ -26,9 +26,9 @@ const SummaryRow& row_of(const std::vector<SummaryRow>& rows, std::size_t cell, 
 }
 
 /// One cell and one method with a single metric.
-SummaryRow row_of_values(const std::vector<double>& values, bool whole_numbers = false) {
+SummaryRow row_of_values(const std::vector<double>& values, bool whole_numbers = false, bool heavy_tailed = false) {
   Summary summary;
-  summary.header.schema.metrics = {{"m", "m", "", false, whole_numbers}};
+  summary.header.schema.metrics = {{"m", "m", "", heavy_tailed, whole_numbers}};
   summary.header.cells = {{"cell", {}}};
   summary.header.methods = {{"rr", "", ""}};
   Statistics statistics;
@@ -121,6 +121,10 @@ TEST_CASE("a mean's bar is trusted from ten values on, and never without spread"
   CHECK_FALSE(constant.trusted);
   CHECK(constant.mcse == 0.0);
   CHECK(constant.sd_mcse == 0.0);
+  std::vector<double> rounded(10, 1.0);
+  rounded[3] = 1.0 - 0x1p-53;
+  CHECK_FALSE(row_of_values(rounded).trusted);
+  CHECK_FALSE(row_of_values(rounded).rms_trusted);
 }
 
 TEST_CASE("a mean's bar is not trusted where one value carries the variance") {
@@ -134,11 +138,41 @@ TEST_CASE("a mean's bar is not trusted where one value carries the variance") {
   CHECK_FALSE(row_of_values(values).trusted);
 }
 
+TEST_CASE("the bar of a root mean square needs more than that of a mean, and heavy tails more than light ones") {
+  // Of n values spread evenly up to 1 and one of b, that one has about (b^2 - 1/3)^2 of n 4/45 + (b^2 - 1/3)^2, and
+  // (b - 1/2)^4 of (n / 12 + (b - 1/2)^2)^2 in the variance of the variance.
+  const auto row = [](double largest, bool heavy_tailed) {
+    std::vector<double> values;
+    for (int i = 0; i < 1000; ++i) values.push_back((i + 0.5) / 1000.0);
+    values.push_back(largest);
+    return row_of_values(values, false, heavy_tailed);
+  };
+  CHECK(row(2.0, false).rms_trusted);        // a share of 0.13
+  CHECK_FALSE(row(2.5, false).rms_trusted);  // 0.28
+  CHECK(row(2.5, false).trusted);            // 0.004
+  CHECK_FALSE(row(2.0, true).rms_trusted);
+  CHECK(row(1.5, true).rms_trusted);  // 0.04
+  CHECK(row(4.5, false).trusted);     // 0.03
+  CHECK_FALSE(row(4.5, true).trusted);
+  CHECK_FALSE(row(infinity, false).rms_trusted);
+}
+
 TEST_CASE("quantiles of equal values are that value") {
   const SummaryRow row = row_of_values(std::vector<double>(20, 0.3));
   for (const double quantile : {row.p05, row.p25, row.p50, row.p75, row.p95, row.p50_lo, row.p50_hi}) {
     CHECK(quantile == 0.3);
   }
+}
+
+TEST_CASE("quantiles near the largest value are told apart though one bin holds them all") {
+  std::vector<double> values;
+  for (int i = 0; i <= 1000; ++i) values.push_back(0.990 + 1e-6 * i);
+  const SummaryRow row = row_of_values(values);
+  CHECK(row.p50 == Approx(0.9905).epsilon(1e-6));
+  CHECK(row.p95 == Approx(0.99095).epsilon(1e-6));
+  CHECK(row.p95_lo < row.p95);
+  CHECK(row.p95 < row.p95_hi);
+  CHECK(row.p95_hi < row.max);
 }
 
 TEST_CASE("a metric with negative values has a mean but no quantiles") {

@@ -19,18 +19,18 @@ n = a+b: b values are infinite or above 1e6; they enter the median and p05 .. p9
 Cells that share trials are not independent.
 
 points = 3, range_sigma_m = 0.1: rr
-  metric [unit]      n  mean ± error         median [95 %]      p05 .. p95
-  error_m [m]        4  2.50 ± 0.65 !        2.1 [1.0, 4.0]     1.01 .. 4
-  error_all_m [m]  4+1  2.50 ± 0.65 !        3.031 [1, inf]     1.01 .. inf
+  metric [unit]      n  mean ± error         median [95 %]  p05 .. p95
+  error_m [m]        4  2.50 ± 0.65 !        2.062 [?]      1.01 .. 4
+  error_all_m [m]  4+1  2.50 ± 0.65 !        3.031 [?]      1.01 .. inf
   outcome            n  rate [95 %]          count
   converged          5  0.80 [0.38, 0.96] !  4
   max_iterations     5  0.20 [0.04, 0.62] !  1
   stationary         5  1.00 [0.57, 1.00] !  5
 
 points = 3, range_sigma_m = 0.1: rrr
-  metric [unit]      n  mean ± error         median [95 %]      p05 .. p95
-  error_m [m]        4  1.25 ± 0.32 !        1.03 [0.50, 2.00]  0.503 .. 2
-  error_all_m [m]  4+1  1.25 ± 0.32 !        1.516 [0.5, inf]   0.504 .. inf
+  metric [unit]      n  mean ± error         median [95 %]  p05 .. p95
+  error_m [m]        4  1.25 ± 0.32 !        1.031 [?]      0.503 .. 2
+  error_all_m [m]  4+1  1.25 ± 0.32 !        1.516 [?]      0.504 .. inf
   outcome            n  rate [95 %]          count
   converged          5  0.80 [0.38, 0.96] !  4
   max_iterations     5  0.20 [0.04, 0.62] !  1

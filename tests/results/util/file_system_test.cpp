@@ -24,6 +24,14 @@ std::string read_text(const fs::path& path) {
 
 }  // namespace
 
+TEST_CASE("a name from elsewhere stays in its folder") {
+  for (const char* good : {"fig3a", "my study", "größe", "a+b", "x..y", "-x"}) CHECK(is_plain_file_name(good));
+  for (const std::string bad : {"", ".", "..", ".hidden", "../x", "/etc/passwd", "a/b", "a\\b", "a\nb", "a\x7f"})
+    CHECK_FALSE(is_plain_file_name(bad));
+  CHECK_FALSE(is_plain_file_name(std::string("a\0b", 3)));
+  CHECK_FALSE(is_plain_file_name(std::string(201, 'x')));
+}
+
 TEST_CASE("an output path is checked without leaving anything behind") {
   const tests::ScratchFolder folder;
   CHECK_NOTHROW(require_writable(folder / "new.h5"));
@@ -64,9 +72,30 @@ TEST_CASE("a temporary file takes its name when published and vanishes otherwise
   CHECK_FALSE(fs::exists(complete.path()));
 }
 
+TEST_CASE("temporaries of one file are apart, and have the rights that new files have") {
+  const tests::ScratchFolder folder;
+  const TemporaryFile first(folder / "result.h5");
+  const TemporaryFile second(folder / "result.h5");
+  CHECK(first.path() != second.path());
+  write_text(folder / "plain", "");
+  CHECK(fs::status(first.path()).permissions() == fs::status(folder / "plain").permissions());
+  CHECK_THROWS_AS(TemporaryFile(folder / "no/such.h5"), core::IoError);
+}
+
+TEST_CASE("leftovers of a file are removed, and those of another one whose name begins alike are not") {
+  const tests::ScratchFolder folder;
+  const fs::path of_another = folder / "result.h5.csv.123.ridgeloc-tmp";
+  write_text(folder / "result.h5.123.ridgeloc-tmp", "half");
+  write_text(of_another, "half");
+  TemporaryFile::remove_leftovers(folder / "result.h5");
+  CHECK(fs::exists(of_another));
+  CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 1);
+}
+
 TEST_CASE("publishing what is not there is an error") {
   const tests::ScratchFolder folder;
   TemporaryFile nothing(folder / "result.h5");
+  fs::remove(nothing.path());
   CHECK_THROWS_AS(nothing.publish(), core::IoError);
 }
 

@@ -119,6 +119,24 @@ TEST_CASE("gcv finds the minimum that equal eigenvalues allow to work out") {
   CHECK(hand.scalar("gcv") > 1e4);
 }
 
+TEST_CASE("gcv at as many observations as unknowns is not led astray by what rounding leaves of the residual") {
+  // The score (F_1 s_1^2 + F_2 s_2^2) / (s_1 + s_2)^2, F_i = l_i alpha_i^2, s_i = k / (l_i + k), is least where
+  // s_2 / s_1 = F_1 / F_2: for l = 4, 1 and F_1 / F_2 = 4 - d at k = d / (3 - d).
+  for (const double k : {1e-6, 1e-4, 1e-2, 1.0, 100.0}) {
+    const double d = 3.0 * k / (1.0 + k);
+    Hand<2> hand{{4.0, 1.0}, {std::sqrt((4.0 - d) / 4.0), 1.0}};
+    hand.observations = 2;
+    const double fitted = 4.0 * hand.step[0] * hand.step[0] + hand.step[1] * hand.step[1];
+    for (const double rounding : {0.0, 1e-16, 1e-15, 1e-12}) {
+      INFO("k " << k << ", rounding " << rounding);
+      hand.squares = fitted * (1.0 + rounding);
+      // Near its minimum the score is 1 + (k' - k)^2 / 4 of it and less steep: rounding hides 2 sqrt(eps) = 3e-8, the
+      // search ends 2e-4 of k wide.
+      CHECK(hand.scalar("gcv") == Approx(k).epsilon(k < 1e-5 ? 0.1 : 1e-3));
+    }
+  }
+}
+
 TEST_CASE("a component of zero length counts as a nanometre") {
   Hand<3> hand = three;
   hand.step[1] = 0.0;

@@ -110,13 +110,17 @@ void for_each_method(F f) {
   for (const MethodChoice& method : methods_by_k()) f(*method.entry, method.options);
 }
 
-/// Every method with every option, on ranges and on every model of pseudoranges.
+/// Every method with every option, on ranges, with a known height too, and on every model of pseudoranges.
 template <class F>
 void for_each_choice(F f) {
   const auto by_k = methods_by_k();
   auto methods = methods_by_option();
   for (const MethodChoice& method : methods) f(method, Measured::Ranges, method.name);
   methods.insert(methods.end(), by_k.begin(), by_k.end());
+  for (MethodChoice method : methods) {
+    method.options.z_mode = solvers::ZMode::Fixed;
+    f(method, Measured::Ranges, method.name + ", known height");
+  }
   for (const ModelChoice& model : pseudorange_models()) {
     for (MethodChoice method : methods) {
       apply(model, method.options);
@@ -198,6 +202,7 @@ TEST_CASE("all this holds for every option and for pseudoranges") {
       const Mixed& mixed = measured == Measured::Ranges ? mixed_ranges : mixed_images;
       INFO(name << ", " << points << " points");
       core::SolutionBatch reference;
+      core::SolutionBatch fused;
       core::SolutionBatch together;
       core::SolutionBatch apart;
       method.entry->solve(batch.problems, method.options, &batch.oracle, reference);
@@ -208,6 +213,8 @@ TEST_CASE("all this holds for every option and for pseudoranges") {
         INFO(core::name_of(isa));
         method.entry->kernel(isa)(batch.problems, method.options, &batch.oracle, together);
         if (isa == core::Isa::Baseline) CHECK(differing(reference, together) == 0);
+        if (isa == core::Isa::Avx2) fused = together;
+        if (isa == core::Isa::Avx512) CHECK(differing(fused, together) == 0);
         method.entry->kernel(isa)(batch.problems, same_draws, &batch.oracle, together);
         method.entry->kernel(isa)(mixed.batch.problems, same_draws, &mixed.batch.oracle, apart);
         CHECK(mixed.differing(apart, together) == 0);

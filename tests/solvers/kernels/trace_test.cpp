@@ -79,6 +79,12 @@ TEST_CASE("a trace ends where the solver does, bit for bit") {
       CHECK(differing(method, batch) == 0);
     }
   }
+  const Batch ranges(5, false);
+  for (MethodChoice method : methods) {
+    method.options.z_mode = solvers::ZMode::Fixed;
+    INFO(method.name << ", known height");
+    CHECK(differing(method, ranges) == 0);
+  }
   const Batch images(6, true);
   for (const ModelChoice& model : pseudorange_models()) {
     for (MethodChoice method : methods) {
@@ -128,16 +134,27 @@ TEST_CASE("a trace ends with the step that could not be taken") {
   CHECK(std::isinf(iterates[0].condition));
 }
 
-TEST_CASE("a rejected step leads nowhere") {
+TEST_CASE("a rejected step leads nowhere, and its length is told") {
   // The point lies between start and minimum: a full step along the axis overshoots.
   const auto p = problem({{1, 0, 0}, {0, 9, 0}, {0, 0, 9}, {30, 0, 0}}, {12, 15, 15, 5}, {0.5, 0.5, 0.5});
-  std::size_t rejected = 0;
-  const auto iterates = solvers::trace("lm", p, 0, {}, nullptr);
-  for (std::size_t i = 0; i + 1 < iterates.size(); ++i) {
-    if (!iterates[i].step->is_rejected) continue;
-    ++rejected;
-    CHECK(iterates[i].step->length_m == 0.0);
-    CHECK(iterates[i + 1].position == iterates[i].position);
+  for (const auto variant : {solvers::LmVariant::Lazy, solvers::LmVariant::Marquardt, solvers::LmVariant::More}) {
+    for (const char* solver : {"lm", "dogleg"}) {
+      solvers::SolverOptions options;
+      options.lm_variant = variant;
+      options.trust_radius_m = 100.0;
+      const auto iterates = solvers::trace(solver, p, 0, options, nullptr);
+      std::size_t rejected = 0;
+      for (std::size_t i = 0; i + 1 < iterates.size(); ++i) {
+        if (!iterates[i].step->is_rejected) continue;
+        ++rejected;
+        CHECK(iterates[i].step->length_m > options.step_tolerance_m);
+        CHECK(iterates[i + 1].position == iterates[i].position);
+      }
+      INFO(solver);
+      CHECK(rejected > 0);
+    }
   }
-  CHECK(rejected > 0);
+  // The first step of lm is that of least squares.
+  const double first = solvers::trace("ols", p, 0, {}, nullptr)[0].step->length_m;
+  CHECK(solvers::trace("lm", p, 0, {}, nullptr)[0].step->length_m == first);
 }

@@ -22,7 +22,7 @@ int solved(const char* solver, const SampleShape& shape, const solvers::SolverOp
   int count = 0;
   for (int i = 0; i < 100; ++i) {
     Sample sample = random_sample(engine, shape);
-    if (options.z_mode == solvers::ZMode::Fixed && shape.images) sample.start[2] = sample.truth[2];
+    if (options.z_mode == solvers::ZMode::Fixed) sample.start[2] = sample.truth[2];
     if (options.v_mode == solvers::VMode::Fixed) sample.start_image_distance = sample.image_distance;
     const auto s = solve(solver, batch_of({sample}), options);
     if (status(s) != core::Status::Converged) continue;
@@ -42,6 +42,22 @@ TEST_CASE("linear and bancroft are exact on ranges without noise, from any start
     CHECK(solved("linear", shape, {}) >= 95);
     CHECK(solved("bancroft", shape, {}) >= 95);
   }
+}
+
+TEST_CASE("linear and bancroft are exact on ranges without noise and a known height") {
+  solvers::SolverOptions options;
+  options.z_mode = solvers::ZMode::Fixed;
+  for (std::size_t points = 3; points <= 8; ++points) {
+    const SampleShape shape{.points = points, .scores = points % 2 == 0, .sigma_m = 0.0, .offset_m = 20.0};
+    INFO(points << " points");
+    CHECK(solved("linear", shape, options) >= 95);
+    CHECK(solved("bancroft", shape, options) >= 95);
+  }
+  // With two ranges two circles meet in two points: the one nearer to the start.
+  const auto p = problem({{3, 0, 1}, {-2, 0, -1}},
+                         {distance({3, 0, 1}, {0.5, 2, 0.25}), distance({-2, 0, -1}, {0.5, 2, 0.25})}, {0, 1, 0.25});
+  CHECK(distance(estimate(solve("bancroft", p, options)), {0.5, 2, 0.25}) < 1e-12);
+  CHECK(status(solve("linear", p, options)) == core::Status::Singular);
 }
 
 TEST_CASE("bancroft on three ranges takes the root nearer to the start, linear has no answer") {

@@ -26,6 +26,7 @@ struct Case {
 };
 const Case cases[] = {
     {"ranges", false, solvers::ZMode::Free, solvers::VMode::Free},
+    {"ranges of known height", false, solvers::ZMode::Fixed, solvers::VMode::Free},
     {"x, y", true, solvers::ZMode::Fixed, solvers::VMode::Fixed},
     {"x, y, v", true, solvers::ZMode::Fixed, solvers::VMode::Free},
     {"x, y, z", true, solvers::ZMode::Free, solvers::VMode::Fixed},
@@ -64,8 +65,8 @@ Deviation compare(const std::vector<Sample>& all, std::string_view k, const solv
     long double sigma2 = options.sigma_prior_m * static_cast<long double>(options.sigma_prior_m);
     double cancellation = 1.0;
     if (options.sigma2_source == solvers::Sigma2Source::NonlinearMs) {
-      const Column after = model.residual(u - problem.step);
-      sigma2 = after.dot(model.score_weights().cwiseProduct(after)) / static_cast<long double>(model.points());
+      // A prior is one of the observations here as it is among the degrees of freedom.
+      sigma2 = model.weighted_errors(u - problem.step).squaredNorm() / static_cast<long double>(left.size());
     } else if (options.sigma2_source == solvers::Sigma2Source::Dof) {
       sigma2 = left.squaredNorm() / static_cast<long double>(left.size() - model.unknowns());
       cancellation = static_cast<double>(problem.errors.squaredNorm() / left.squaredNorm());

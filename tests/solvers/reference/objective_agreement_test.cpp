@@ -18,8 +18,9 @@ namespace {
 
 constexpr std::size_t trials = 300;
 
-core::ProblemBatch ranges(std::size_t points) {
-  const sim::FieldOfView view;
+core::ProblemBatch ranges(std::size_t points, bool known_height = false) {
+  sim::FieldOfView view;
+  view.start_at_height = known_height;
   core::ProblemBatch problems;
   problems.reshape(points, trials);
   sim::place_objects(view, sim::SceneStreams(2018, view), 0, problems);
@@ -105,6 +106,14 @@ TEST_CASE("reweighting ends at the reference, whatever the weight", "[reference]
       check_agreement(name, "irls", options, problems);
     }
   }
+}
+
+TEST_CASE("methods on ranges of known height end at the reference", "[reference]") {
+  const core::ProblemBatch problems = ranges(5, true);
+  solvers::SolverOptions options;
+  options.z_mode = solvers::ZMode::Fixed;
+  for (const char* solver : {"ols", "lm", "dogleg", "rrr", "irls"})
+    check_agreement(std::string(solver) + ", known height", solver, options, problems);
 }
 
 TEST_CASE("methods on pseudoranges end at the reference, whatever is known", "[reference]") {

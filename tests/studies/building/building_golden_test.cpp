@@ -53,7 +53,7 @@ void check(const std::string& experiment, int version, const Golden& golden) {
 }  // namespace
 
 TEST_CASE("numbers of located photos change only with the version of the experiment") {
-  check("building", 2,
+  check("building", 3,
         GENERATE(Golden{R"(
 trials = 512
 [photo]

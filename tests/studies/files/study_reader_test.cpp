@@ -91,6 +91,64 @@ TEST_CASE("overrides replace, add and reach into tables and methods") {
   CHECK(study.sweep[0].values == std::vector<Value>{std::int64_t{4}});
 }
 
+TEST_CASE("a whole number may be written as a real one, and is that number exactly") {
+  CHECK(read(with("trials = 10", "trials = 1e6")).trials == 1'000'000);
+  CHECK(read(valid, {"trials=2.5e3"}).trials == 2500);
+  CHECK(read(with("trials = 10", "seed = 9007199254740992.0")).seed == 9007199254740992);
+  CHECK(read(with("[3, 5]", "[3.0, 0.5e1]")).sweep[0].values == read(valid).sweep[0].values);
+  CHECK(resolved_toml(read(valid, {"trials=1e6"})) == resolved_toml(read(valid, {"trials=1000000"})));
+}
+
+TEST_CASE("messages echo numbers in their shortest form, and no more of a text than is needed to find it") {
+  CHECK(error_of(with("[2, 8]", "[2, -0.1]")).find("scene.depth_m = [ 2, -0.1 ] is not allowed") != std::string::npos);
+  CHECK(error_of(valid, {"noise.range_sigma_m=-0.1"}).find("= -0.1 is not allowed") != std::string::npos);
+  const std::string digits(400, '7');
+  for (const std::string key : {"trials", "noise.range_sigma_m", "scene.depth_m", "method.0.k", "nothing"}) {
+    INFO(key);
+    const std::string message = error_of(valid, {key + "=" + digits});
+    CHECK(message.find("777...") != std::string::npos);
+    CHECK(message.find(digits.substr(0, 100)) == std::string::npos);
+  }
+}
+
+TEST_CASE("overrides replace whole entries of lists, and add one behind the last") {
+  const Study study =
+      read(valid, {"method.0={solver=\"ols\"}", "method.1={solver=\"lm\", name=\"b\"}", "sweep.points.1=7",
+                   "sweep.points.2=9", "method.2={solver=\"rr\"}", "method.2.k=fixed"});
+  REQUIRE(study.methods.size() == 3);
+  CHECK(study.methods[0].label == "ols");
+  CHECK(study.methods[1].label == "b");
+  CHECK(std::get<std::string>(study.methods[2].given.at("k")) == "fixed");
+  CHECK(study.sweep[0].values == std::vector<Value>{std::int64_t{3}, std::int64_t{7}, std::int64_t{9}});
+  CHECK(error_of(valid, {"method.2={solver=\"ols\"}"}) ==
+        "--set method.2={solver=\"ols\"}: \"2\" is not a position in a list of 1 (they count from 0)");
+  CHECK(error_of(valid, {"method.1={solver=\"olx\"}"}).starts_with("--set method.1={solver=\"olx\"}: solver: unknown"));
+}
+
+TEST_CASE("a range keeps its digits, and exclude finds its values") {
+  const Study study = read(with("points = [3, 5]",
+                                "range_sigma_m = { from = 0.1234567890123456, to = 2.1234567890123456, step = 1 }\n"
+                                "exclude = [{ range_sigma_m = 0.1234567890123456 }]"));
+  CHECK(std::get<double>(study.sweep[0].values[0]) == 0.1234567890123456);
+  CHECK(make_plan(study).cells.size() == 2);
+}
+
+TEST_CASE("a figure without a name is called after the study, in letters that a file may have") {
+  const auto named = [](const std::string& study) {
+    return read_study({study, study + ".toml",
+                       valid + "[[figure]]\nx = \"points\"\ny = \"error_m\"\n"
+                               "[[figure]]\nx = \"points\"\ny = \"iterations\"\n"})
+        .figures;
+  };
+  CHECK(named("my study")[0].name == "my-study");
+  CHECK(named("my study")[1].name == "my-study-2");
+  CHECK(named("study (1)")[0].name == "study--1-");
+  CHECK(named("größe")[0].name == "größe");
+  CHECK(named("a+b")[0].name == "a-b");
+  CHECK(named("..hidden")[0].name == "hidden");
+  CHECK(named("...")[0].name == "figure");
+}
+
 TEST_CASE("each bad study gets one line with file, line, bound and nearest name") {
   const auto [text, message] = GENERATE(table<std::string, std::string>({
       {"[", "demo.toml:1: not valid TOML"},
@@ -100,6 +158,10 @@ TEST_CASE("each bad study gets one line with file, line, bound and nearest name"
       {with("trials = 10", "trials = 0"),
        "demo.toml:2: trials = 0 is not allowed: trials takes a whole number from 1 to 1000000000000"},
       {with("trials = 10", "trials = 1.5"), "demo.toml:2: trials = 1.5 is not allowed"},
+      {with("trials = 10", "trials = 1.5e0"),
+       "demo.toml:2: trials = 1.5 is not allowed: trials takes a whole number from 1 to 1000000000000"},
+      {with("trials = 10", "seed = 1e16"), "demo.toml:2: seed = 1e+16 is not allowed"},
+      {with("trials = 10", "trials = inf"), "demo.toml:2: trials = inf is not allowed"},
       {with("trials = 10", "trials = \"many\""), "demo.toml:2: trials = 'many' is not allowed"},
       {with("depth_m", "dept_m"), "demo.toml:4: unknown key \"dept_m\" in [scene] (did you mean \"depth_m\"?)"},
       {with("[2, 8]", "[8, 2]"),
@@ -120,8 +182,11 @@ TEST_CASE("each bad study gets one line with file, line, bound and nearest name"
        "demo.toml:6: sweep.points: a range takes from, to and step; \"step\" is missing"},
       {with("[3, 5]", "{ from = 3, to = 4, step = 0.5 }"),
        "demo.toml:6: sweep.points: the range repeats a value or leaves what is allowed"},
-      {with("points = [3, 5]", "range_sigma_m = { from = 1, to = 1.0000000001, step = 1e-12 }"),
-       "demo.toml:6: sweep.range_sigma_m: the range repeats a value"},
+      {with("points = [3, 5]", "range_sigma_m = { from = 0.1, to = 0.35, step = 0.1 }"),
+       "demo.toml:6: sweep.range_sigma_m: from 0.1 in steps of 0.1 comes to 0.3 and 0.4, not to 0.35; let the range "
+       "end"},
+      {with("points = [3, 5]", "range_sigma_m = { from = 1e-9, to = 1e4, step = 1e3 }"),
+       "demo.toml:6: sweep.range_sigma_m: from 1e-09 in steps of 1000"},
       {with("points = [3, 5]", "similarty = [1]"),
        "demo.toml:6: unknown key \"similarty\" in [sweep] (did you mean \"similarity\"?)"},
       {with("points = [3, 5]", ""), "demo.toml:5: [sweep] names no axis"},
@@ -139,6 +204,11 @@ TEST_CASE("each bad study gets one line with file, line, bound and nearest name"
        "demo.toml:10: k_fixed = -0.5 is not allowed: k_fixed takes a number from 0 to"},
       {valid + "name = \"a/b\"\n", "demo.toml:11: method name \"a/b\" is not allowed"},
       {valid + "name = \"scene\"\n", "demo.toml:11: method name \"scene\" is taken by the experiment itself"},
+      {valid + "[[method]]\nsolver = \"lm\"\n[[method]]\nsolver = \"ols\"\nname = \"lm - rr\"\n",
+       "demo.toml:13: the name \"lm - rr\" of this [[method]] is that of the comparison of \"lm\" with \"rr\"; choose"},
+      {valid + "[[method]]\nsolver = \"lm\"\nname = \"a\"\n[[method]]\nsolver = \"ols\"\nname = \"rr - a\"\n"
+               "[[compare]]\nmethod = \"rr\"\nwith = \"a\"\n",
+       "demo.toml:14: the name \"rr - a\" of this [[method]]"},
       {valid + "[[method]]\nsolver = \"rr\"\n", "demo.toml:12: two methods are called \"rr\""},
       {"experiment = \"ranging\"\n", "demo.toml: no [[method]]; add at least one"},
       {"experiment = \"ranging\"\nmethod = 3\n", "demo.toml:2: method must be a list of tables: [[method]]"},

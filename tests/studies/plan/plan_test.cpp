@@ -76,7 +76,7 @@ TEST_CASE("cells know what their bounds are good for") {
   CHECK(kinds("points = [3, 4, 5, 6]", {"scene.model=pseudorange"}) == "1112");
   CHECK(kinds("points = [3, 4, 5, 6]", {"scene.model=pseudorange", "scene.z_mode=fixed"}) == "1122");
   CHECK(kinds("points = [3, 4, 5]\nv_mode = [\"fixed\", \"prior\"]", {"scene.model=pseudorange"}) == "111122");
-  CHECK(kinds("points = [3, 6]", {"scene.z_mode=fixed"}) == "12");
+  CHECK(kinds("points = [3, 4]", {"scene.z_mode=fixed"}) == "12");
   CHECK(kinds("noise_model = [\"normal\", \"student_t\"]") == "20");
   CHECK(kinds("scores = [\"none\", \"random\"]") == "20");
 }

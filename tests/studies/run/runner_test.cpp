@@ -1,11 +1,13 @@
 #include "studies/run/runner.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <thread>
 
 #include "core/error.hpp"
 #include "results/store/result_file.hpp"
 #include "results/store/result_merge.hpp"
+#include "results/store/snapshot.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
@@ -43,7 +45,7 @@ similarity = 0.7
 RunOutcome run(const Study& s, const fs::path& output, int threads, const std::atomic<bool>& stop = never) {
   RunProgress progress;
   const Plan plan = make_plan(s);
-  return run_study(s, plan, everything(plan), output, *thread_queue(threads), {}, progress, stop);
+  return run_study(s, plan, everything(plan), results::ResultClaim(output), *thread_queue(threads), {}, progress, stop);
 }
 
 }  // namespace
@@ -83,8 +85,8 @@ TEST_CASE("a stopped run is taken up where it stopped, and ends in the same byte
     while (progress.blocks_done.load() < 3 && !done.stop_requested()) std::this_thread::yield();
     stop.store(true);
   });
-  const RunOutcome first =
-      run_study(s, plan, everything(plan), folder / "stopped.h5", *thread_queue(1), {}, progress, stop);
+  const RunOutcome first = run_study(s, plan, everything(plan), results::ResultClaim(folder / "stopped.h5"),
+                                     *thread_queue(1), {}, progress, stop);
   watcher.request_stop();
   watcher.join();
   REQUIRE_FALSE(first.sealed);
@@ -97,6 +99,33 @@ TEST_CASE("a stopped run is taken up where it stopped, and ends in the same byte
   CHECK(second.blocks_found == first.blocks_run);
   CHECK(second.blocks_found + second.blocks_run == everything(plan).blocks());
   CHECK(results::data_digest(folder / "stopped.h5") == results::data_digest(folder / "whole.h5"));
+}
+
+TEST_CASE("a run that is stopped has something of every cell, and never much more of one than of another") {
+  const tests::ScratchFolder folder;
+  const Study s = study({"trials=400000", "store.trial_columns_mib=0"});
+  const Plan plan = make_plan(s);
+  const int threads = GENERATE(1, 3);
+  std::atomic<bool> stop{false};
+  RunProgress progress;
+  std::jthread watcher([&] {
+    while (progress.blocks_done.load() < 40) std::this_thread::yield();
+    stop.store(true);
+  });
+  const RunOutcome outcome = run_study(s, plan, everything(plan), results::ResultClaim(folder / "stopped.h5"),
+                                       *thread_queue(threads), {}, progress, stop);
+  watcher.join();
+  REQUIRE_FALSE(outcome.sealed);
+  const results::Summary summary = results::summarize(results::read_snapshot(folder / "stopped.h5"));
+  std::uint64_t fewest = s.trials;
+  std::uint64_t most = 0;
+  for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {
+    fewest = std::min(fewest, summary.of(cell, 0).trials);
+    most = std::max(most, summary.of(cell, 0).trials);
+  }
+  CHECK(fewest > 0);
+  // A piece, four blocks of 4096 trials, for each worker that was under way.
+  CHECK(most <= 2 * fewest + 2 * static_cast<std::uint64_t>(threads) * 4 * 4096);
 }
 
 TEST_CASE("a result topped up in any steps, or merged from shares, holds the same bytes") {
@@ -121,8 +150,8 @@ TEST_CASE("a result topped up in any steps, or merged from shares, holds the sam
       shares.push_back(folder / ("share" + std::to_string(number) + ".h5"));
       fs::remove(shares.back());
       RunProgress progress;
-      run_study(s, plan, assignment_of(plan, plan, {number, count}), shares.back(), *thread_queue(2), {}, progress,
-                never);
+      run_study(s, plan, assignment_of(plan, plan, {number, count}), results::ResultClaim(shares.back()),
+                *thread_queue(2), {}, progress, never);
     }
     fs::remove(folder / "merged.h5");
     results::merge_results(shares, folder / "merged.h5", plan.header, {});
@@ -149,8 +178,8 @@ solver = "rrr"
   const Plan plan = make_plan(wide);
   run(narrow, folder / "grown.h5", 2);
   RunProgress progress;
-  const RunOutcome outcome =
-      run_study(wide, plan, everything(plan), folder / "grown.h5", *thread_queue(2), {}, progress, never);
+  const RunOutcome outcome = run_study(wide, plan, everything(plan), results::ResultClaim(folder / "grown.h5"),
+                                       *thread_queue(2), {}, progress, never);
   CHECK(outcome.sealed);
   CHECK(outcome.blocks_run == 12);  // cells that are there lack a method and its difference to the first
   CHECK(results::data_digest(folder / "grown.h5") == results::data_digest(folder / "whole.h5"));

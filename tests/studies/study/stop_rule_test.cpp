@@ -11,6 +11,7 @@
 #include "studies/registry.hpp"
 #include "studies/run/runner.hpp"
 #include "studies/study/capabilities.hpp"
+#include "studies/study/unmet_cells.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/message_of.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -55,7 +56,7 @@ struct File {
 RunOutcome run(const Study& s, const fs::path& output, int threads, const std::atomic<bool>& stop,
                RunProgress& progress) {
   const Plan plan = make_plan(s);
-  return run_study(s, plan, everything(plan), output, *thread_queue(threads), {}, progress, stop);
+  return run_study(s, plan, everything(plan), results::ResultClaim(output), *thread_queue(threads), {}, progress, stop);
 }
 
 /// The digest of a result whose run was stopped after so many blocks, and went on with other threads.
@@ -96,8 +97,8 @@ TEST_CASE("the trials that a cell needs follow from those that it has") {
   CHECK(predicted_trials(rule, {0.5, true}, 4096, 4096) == 4096);
   CHECK(predicted_trials(rule, {2.0, true}, 4096, 4096) == 4 * 4096);  // a look; the root of the trials rules
   CHECK(predicted_trials(rule, {2.1, true}, 4096, 4096) == 5 * 4096);
-  CHECK(predicted_trials(rule, {1e9, true}, 4096, 4096) == 245 * 4096);
-  CHECK(predicted_trials(rule, {std::nan(""), true}, 4096, 4096) == 245 * 4096);
+  CHECK(predicted_trials(rule, {1e9, true}, 4096, 4096) == 1'000'000);
+  CHECK(predicted_trials(rule, {std::nan(""), true}, 4096, 4096) == 1'000'000);
 }
 
 TEST_CASE("every cell stops at the first look at which it is known well enough, the same for any threads") {
@@ -197,7 +198,41 @@ TEST_CASE("what cannot be reached ends at the largest number of trials") {
   RunProgress progress;
   run(s, file.path, 2, never, progress);
   const results::Summary summary = results::read_result(file.path);
-  for (std::size_t cell = 0; cell < 4; ++cell) CHECK(summary.of(cell, 0).trials == 3 * 4096);
+  for (std::size_t cell = 0; cell < 4; ++cell) CHECK(summary.of(cell, 0).trials == 9000);
+}
+
+TEST_CASE("cells that end without their target are found, with how far they are from it") {
+  const std::string rule = "metric = \"error_all_m\"\nmethods = \"rrr\"\nrelative = 0.02\nmin_trials = 4000\n";
+  const Study s = study(rule + "max_trials = 9000\n");
+  const File file;
+  const std::atomic<bool> never{false};
+  RunProgress progress;
+  run(s, file.path, 2, never, progress);
+  const results::Summary summary = results::read_result(file.path);
+  const auto unmet = unmet_cells(*s.stop, summary);
+  std::size_t next = 0;
+  for (std::size_t cell = 0; cell < 4; ++cell) {
+    const auto row = results::summary_row(summary.header, 1, summary.of(cell, 1), "error_all_m");
+    if (row.trusted && row.mcse <= 0.02 * row.mean) {
+      CHECK(row.n <= 9000);
+      continue;
+    }
+    REQUIRE(next < unmet.size());
+    CHECK(unmet[next].cell == cell);
+    CHECK(unmet[next].trials == 9000);
+    CHECK(unmet[next++].precision.error_over_target == Approx(row.mcse / (0.02 * row.mean)));
+  }
+  CHECK(next == unmet.size());
+  CHECK(!unmet.empty());
+  // With more trials the same file goes on, as if it had never ended in the middle of a block.
+  const Study more = study(rule + "max_trials = 40000\n");
+  RunProgress rest;
+  CHECK(run(more, file.path, 2, never, rest).sealed);
+  const File fresh;
+  RunProgress whole;
+  CHECK(run(more, fresh.path, 1, never, whole).sealed);
+  CHECK(results::data_digest(file.path) == results::data_digest(fresh.path));
+  CHECK(unmet_cells(*more.stop, results::read_result(file.path)).size() < unmet.size());
 }
 
 TEST_CASE("a stop rule is written and read again; its errors say what is allowed") {

@@ -1,4 +1,4 @@
-#include "studies/files/csv_column.hpp"
+#include "studies/files/csv_columns.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -29,13 +29,13 @@ class File {
 
 std::vector<double> column(const std::string& text, const std::string& name, std::size_t most = 100) {
   const File file(text);
-  return studies::read_csv_column(file.path(), name, most);
+  return studies::read_csv_columns(file.path(), {name}, most).front();
 }
 
 /// The message without the path in front.
 std::string error_of(const std::string& text, const std::string& name) {
   const File file(text);
-  const std::string message = tests::refusal_of([&] { studies::read_csv_column(file.path(), name, 100); });
+  const std::string message = tests::refusal_of([&] { studies::read_csv_columns(file.path(), {name}, 100); });
   if (message.empty()) return "";
   REQUIRE(message.starts_with(file.path().string()));
   return message.substr(file.path().string().size());
@@ -56,6 +56,14 @@ TEST_CASE("a column of a CSV file is read by its name") {
   CHECK(column("e_m\n", "e_m").empty());
 }
 
+TEST_CASE("a CSV file with semicolons has decimal commas or points") {
+  const std::vector<double> expected = {0.1, -0.25, 3.0};
+  CHECK(column("e_m;x_m\n0,1;2\n-0,25;3\n3;4\n", "e_m") == expected);
+  CHECK(column("\xef\xbb\xbf\"id\";e_m\r\n1;0,1\r\n2;-2,5e-1\r\n3;3.0\r\n", "e_m") == expected);
+  CHECK(error_of("e_m;x_m\n1.234,5;2\n", "e_m") == ":2: \"1.234,5\" in column \"e_m\" is not a number");
+  CHECK(column("e_m,x;y\n1,0;2\n", "e_m") == std::vector<double>{1.0});
+}
+
 TEST_CASE("what is wrong in a CSV file is named with its line") {
   CHECK(error_of("id,e_m\n1,2\n", "em") == ":1: no column \"em\" (did you mean \"e_m\"?)");
   CHECK(error_of("id,e_m\n1,2\n", "residual") == ":1: no column \"residual\" (there are: id, e_m)");
@@ -71,6 +79,25 @@ TEST_CASE("a row with more cells than the first line is an error: decimal commas
   CHECK(error_of("e\n1,5\n2,5\n", "e") == ":2: 2 cells where the first line names 1; is a comma the decimal point?");
 }
 
+TEST_CASE("several columns are read in the order asked for") {
+  const File file("z,x,y\n3,1,2\n6,4,5\n");
+  const std::vector<std::vector<double>> expected = {{1, 4}, {2, 5}, {3, 6}};
+  CHECK(studies::read_csv_columns(file.path(), {"x", "y", "z"}, 9) == expected);
+}
+
+TEST_CASE("files of spreadsheets have semicolons or tabulators, and decimal commas") {
+  const std::vector<double> expected = {0.1, -0.25, 1e-3};
+  CHECK(column("e_m;x_m\n0,1;2\n-0,25;3\n1e-3;4\n", "e_m") == expected);
+  CHECK(column("x_m\te_m\r\n2\t0,1\r\n3 \t -0.25\r\n4\t0,001\r\n", "e_m") == expected);
+  CHECK(column("x_m\te_m\n\t0.1\n", "e_m") == std::vector<double>{0.1});
+  CHECK(column("\"a,b\";e_m\n1;0,1\n", "e_m") == std::vector<double>{0.1});
+  // A comma in the first line separates, and semicolons are then like other signs.
+  CHECK(column("a;b,e_m\n1;2,0.1\n", "e_m") == std::vector<double>{0.1});
+  CHECK(error_of("e_m;x_m\n1.000,5;2\n", "e_m") == ":2: \"1.000,5\" in column \"e_m\" is not a number");
+  CHECK(error_of("e_m;x_m\n1,2,3;2\n", "e_m") == ":2: \"1,2,3\" in column \"e_m\" is not a number");
+  CHECK(error_of("e_m;x_m\n1;2;3\n", "e_m").starts_with(":2: 3 cells where the first line names 2"));
+}
+
 TEST_CASE("a file that is not there is an error") {
-  CHECK_THROWS_AS(studies::read_csv_column("/nowhere/residuals.csv", "e_m", 9), core::InputError);
+  CHECK_THROWS_AS(studies::read_csv_columns("/nowhere/residuals.csv", {"e_m"}, 9), core::InputError);
 }
