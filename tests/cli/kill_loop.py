@@ -166,7 +166,7 @@ class KillLoop(loop.Loop):
         return code == 0
 
     def adapt(self, factor):
-        self.seconds_to_begin = min(factor * self.seconds_to_begin, 0.5)
+        self.seconds_to_begin = min(factor * self.seconds_to_begin, 2.0)
 
     def make_small_parts(self, study, trials, files):
         """Stops runs as soon as they have computed something, which leaves a small part each."""
