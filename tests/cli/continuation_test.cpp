@@ -19,8 +19,8 @@ solver = "rrr"
 solver = "ols"
 )";
 
-struct WithStudy : WorkingFolder {
-  WithStudy() { write("s.toml", small); }
+struct WithSmallStudy : WithStudy {
+  WithSmallStudy() : WithStudy(small) {}
 
   std::string digest(const std::string& file) const { return results::data_digest(path() / file); }
 };
@@ -28,7 +28,7 @@ struct WithStudy : WorkingFolder {
 }  // namespace
 
 TEST_CASE("raising --trials tops a result up; lowering it keeps the surplus and says so") {
-  const WithStudy folder;
+  const WithSmallStudy folder;
   REQUIRE(folder.ridgeloc("run s.toml -o whole.h5").exit_code == 0);
   REQUIRE(folder.ridgeloc("run s.toml --trials 100").exit_code == 0);
   const Outcome raised = folder.ridgeloc("run s.toml");
@@ -42,7 +42,7 @@ TEST_CASE("raising --trials tops a result up; lowering it keeps the surplus and 
 }
 
 TEST_CASE("a narrower study adds to a result what it lacks and loses nothing of it") {
-  const WithStudy folder;
+  const WithSmallStudy folder;
   REQUIRE(folder.ridgeloc("run s.toml").exit_code == 0);
   const std::string lm = "--set sweep.points=[4,5] --set method.1.solver=lm";
   const Outcome other = folder.ridgeloc("run s.toml " + lm);
@@ -59,7 +59,7 @@ TEST_CASE("a narrower study adds to a result what it lacks and loses nothing of 
 }
 
 TEST_CASE("a result goes through a link to where the link points, and so do its parts") {
-  const WithStudy folder;
+  const WithSmallStudy folder;
   REQUIRE(folder.shell("mkdir disk && ln -s disk/r.h5 r.h5").exit_code == 0);
   CHECK(folder.ridgeloc("run s.toml --trials 1e9 --time-limit 1s -o r.h5").exit_code == 4);
   CHECK(folder.has("disk/r.h5.parts"));
@@ -70,7 +70,7 @@ TEST_CASE("a result goes through a link to where the link points, and so do its 
 }
 
 TEST_CASE("a method whose settings have changed needs another name") {
-  const WithStudy folder;
+  const WithSmallStudy folder;
   REQUIRE(folder.ridgeloc("run s.toml").exit_code == 0);
   const Outcome outcome = folder.ridgeloc("run s.toml --set method.0.k=hk");
   CHECK(outcome.exit_code == 2);
@@ -80,7 +80,7 @@ TEST_CASE("a method whose settings have changed needs another name") {
 }
 
 TEST_CASE("shares are merged to the whole; parts of it are results too") {
-  const WithStudy folder;
+  const WithSmallStudy folder;
   REQUIRE(folder.ridgeloc("run s.toml").exit_code == 0);
   for (const char* share : {"1/3", "2/3", "3/3"})
     REQUIRE(folder.ridgeloc(std::string("run s.toml --shard ") + share).exit_code == 0);
@@ -97,7 +97,7 @@ TEST_CASE("shares are merged to the whole; parts of it are results too") {
 }
 
 TEST_CASE("audit solves the trials that a result has, and no others") {
-  const WithStudy folder;
+  const WithSmallStudy folder;
   const auto trials = [&](const std::string& file) {
     return folder.shell("'" RIDGELOC_PROGRAM "' audit " + file + " | awk '/^  (rrr|ols)/ { print $1, $2 }'").out;
   };
@@ -112,7 +112,7 @@ TEST_CASE("audit solves the trials that a result has, and no others") {
 }
 
 TEST_CASE("merge refuses other studies, other instruction sets and a file that is there") {
-  const WithStudy folder;
+  const WithSmallStudy folder;
   REQUIRE(folder.ridgeloc("run s.toml -o a.h5 --trials 100 --isa baseline").exit_code == 0);
   REQUIRE(
       folder.ridgeloc("run s.toml -o b.h5 --trials 100 --isa baseline --seed 9 --set scene.depth_m=[1,2]").exit_code ==
@@ -135,7 +135,7 @@ TEST_CASE("merge refuses other studies, other instruction sets and a file that i
 }
 
 TEST_CASE("a result of several instruction sets says why it cannot be computed again or continued") {
-  const WithStudy folder;
+  const WithSmallStudy folder;
   for (const char* share : {"1/2 --isa baseline -o a.h5", "2/2 -o b.h5"})
     REQUIRE(folder.ridgeloc(std::string("run s.toml --shard ") + share).exit_code == 0);
   if (folder.ridgeloc("merge a.h5 b.h5 -o s.h5").exit_code == 0) return;  // this processor has the baseline alone
@@ -152,7 +152,7 @@ TEST_CASE("a result of several instruction sets says why it cannot be computed a
 }
 
 TEST_CASE("a stopped run counts all blocks that are kept, not only those that it came across") {
-  const WithStudy folder;
+  const WithSmallStudy folder;
   const auto kept = [&](const std::string& threads) {
     const std::string error = folder.ridgeloc("run s.toml --trials 1e9 --time-limit 1s --threads " + threads).error;
     INFO(error);
@@ -167,7 +167,7 @@ TEST_CASE("a stopped run counts all blocks that are kept, not only those that it
 }
 
 TEST_CASE("a time limit and SIGUSR1 stop a run and keep what is finished") {
-  const WithStudy folder;
+  const WithSmallStudy folder;
   const Outcome limited = folder.ridgeloc("run s.toml --trials 1e10 --time-limit 1s");
   CHECK(limited.exit_code == 4);
   CHECK(contains(limited.error, "The same command goes on from there"));
@@ -194,7 +194,7 @@ TEST_CASE("a time limit and SIGUSR1 stop a run and keep what is finished") {
 }
 
 TEST_CASE("verify recomputes blocks, tells a result of other numbers, and prints the digest") {
-  const WithStudy folder;
+  const WithSmallStudy folder;
   REQUIRE(folder.ridgeloc("run s.toml").exit_code == 0);
   const Outcome good = folder.ridgeloc("verify s.h5 --blocks 4 --seed 1");
   CHECK(good.exit_code == 0);
@@ -215,7 +215,7 @@ TEST_CASE("verify recomputes blocks, tells a result of other numbers, and prints
 }
 
 TEST_CASE("compare says whether two results of one study agree") {
-  const WithStudy folder;
+  const WithSmallStudy folder;
   for (const char* run : {"-o a.h5", "-o b.h5 --seed 7", "-o c.h5 --set scene.depth_m=[1,2]", "-o d.h5 --threads 1"})
     REQUIRE(folder.ridgeloc(std::string("run s.toml ") + run).exit_code == 0);
   const Outcome other_seed = folder.ridgeloc("compare a.h5 b.h5");
@@ -231,7 +231,7 @@ TEST_CASE("compare says whether two results of one study agree") {
 }
 
 TEST_CASE("a study that waits for its turn keeps what another run has made of its result meanwhile") {
-  const WithStudy folder;
+  const WithSmallStudy folder;
   const auto with_trials = [](const std::string& trials) {
     return small.substr(0, small.find("9000")) + trials + small.substr(small.find("9000") + 4);
   };

@@ -24,10 +24,6 @@ solver = "ols"
 solver = "linear"
 )";
 
-struct WithStudy : WorkingFolder {
-  WithStudy() { write("s.toml", study); }
-};
-
 /// A folder `disk` with a file system of its own, which the commands of one script see. Needs no rights where users
 /// may have their own name spaces.
 Outcome on_own_disk(const WorkingFolder& folder, const std::string& size, const std::string& script) {
@@ -54,7 +50,7 @@ bool has_own_disks() {
 
 TEST_CASE("a full disk is one line and exit code 3, and the same command goes on when there is room") {
   REQUIRE_OWN_DISKS();
-  const WithStudy folder;
+  const WithStudy folder(study);
   const auto [room_mb, kept] = GENERATE(table<std::string, std::string>({
       {"1", ""},
       {"20", "finished parts are kept in disk/s.h5.parts; "},
@@ -81,7 +77,7 @@ ridgeloc verify --digest whole.h5
 
 TEST_CASE("a disk that cannot be written is found before anything is computed; reading from it works") {
   REQUIRE_OWN_DISKS();
-  const WithStudy folder;
+  const WithStudy folder(study);
   const Outcome outcome = on_own_disk(folder, "60m", R"(
 ridgeloc run s.toml --trials 100 -o disk/s.h5 2> first
 mount -o remount,ro disk
@@ -98,7 +94,7 @@ ridgeloc verify --blocks 1 disk/s.h5 > verified; echo $?
 
 TEST_CASE("a disk that becomes read-only during a run is one line and exit code 3") {
   REQUIRE_OWN_DISKS();
-  const WithStudy folder;
+  const WithStudy folder(study);
   // The new state is refused while a file is open for writing, and for writing a part the run must go on for 5 s.
   const Outcome outcome = on_own_disk(folder, "60m", R"(
 ridgeloc run s.toml --trials 1e10 --set store.trial_columns_mib=1 -o disk/s.h5 2> error &
@@ -116,7 +112,7 @@ ls disk disk/s.h5.parts
 }
 
 TEST_CASE("a folder that vanishes during a run is one line and exit code 3, and the same command begins anew") {
-  const WithStudy folder;
+  const WithStudy folder(study);
   const std::string vanishing = GENERATE("out", "out/s.h5.parts");
   const Outcome outcome = folder.shell("mkdir out; '" RIDGELOC_PROGRAM
                                        "' run s.toml -o out/s.h5 & run=$!; "
@@ -133,7 +129,7 @@ TEST_CASE("a folder that vanishes during a run is one line and exit code 3, and 
 }
 
 TEST_CASE("a file-size limit that parts keep and the result exceeds leaves the parts") {
-  const WithStudy folder;
+  const WithStudy folder(study);
   // In units of 512 bytes. Stopping leaves a part, and neither it nor that of the rest is beyond the limit: the machine
   // may be busy, so that another pause is tried until the part has such a size.
   const Outcome stopped =
@@ -153,7 +149,7 @@ TEST_CASE("a file-size limit that parts keep and the result exceeds leaves the p
 }
 
 TEST_CASE("a file system that cannot synchronize folders is written to all the same, and one that fails is not") {
-  const WithStudy folder;
+  const WithStudy folder(study);
   const auto call = [&](int error, const std::string& arguments) {
     // Where the program brings a sanitizer it must be told that another library comes first.
     return folder.shell("ASAN_OPTIONS=verify_asan_link_order=0 FOLDER_SYNC_ERROR=" + std::to_string(error) +
@@ -171,7 +167,7 @@ TEST_CASE("a file system that cannot synchronize folders is written to all the s
 }
 
 TEST_CASE("a locked result and too little memory are called what they are") {
-  const WithStudy folder;
+  const WithStudy folder(study);
   REQUIRE(folder.ridgeloc("run s.toml --trials 500").exit_code == 0);
   const Outcome locked =
       folder.shell("flock -x s.h5 env HDF5_USE_FILE_LOCKING=TRUE '" RIDGELOC_PROGRAM "' summary s.h5");
@@ -188,7 +184,7 @@ TEST_CASE("a locked result and too little memory are called what they are") {
 }
 
 TEST_CASE("links that lead in a circle are refused and stay") {
-  const WithStudy folder;
+  const WithStudy folder(study);
   REQUIRE(folder.shell("ln -s b.h5 a.h5; ln -s a.h5 b.h5").exit_code == 0);
   const Outcome outcome = folder.ridgeloc("run s.toml --trials 500 -o a.h5");
   CHECK(outcome.exit_code == 2);

@@ -34,6 +34,11 @@ class WorkingFolder {
   ScratchFolder folder_;
 };
 
+/// A folder with a study in it, s.toml.
+struct WithStudy : WorkingFolder {
+  explicit WithStudy(const std::string& toml) { write("s.toml", toml); }
+};
+
 bool contains(const std::string& text, const std::string& piece);
 std::size_t line_count(const std::string& text);
 

@@ -9,8 +9,8 @@ using namespace ridgeloc::tests;
 namespace {
 
 /// A folder with a small study whose name needs quotes, and the program as a shell finds it.
-struct WithStudy : WorkingFolder {
-  WithStudy() {
+struct WithSweep : WorkingFolder {
+  WithSweep() {
     write("a study.toml", R"(experiment = "ranging"
 trials = 9000
 [sweep]
@@ -29,7 +29,7 @@ solver = "ols"
 }  // namespace
 
 TEST_CASE("the job script of plan computes the shares, and the command in it merges them to the whole") {
-  const WithStudy folder;
+  const WithSweep folder;
   const std::string study = "'a study.toml' --trials 20000 --set 'scene.depth_m=[1, 8]' --isa baseline --threads 1";
   const Outcome planned = folder.ridgeloc("plan " + study + " --slurm job.sh --shards 3");
   INFO(planned.error);
@@ -53,7 +53,7 @@ TEST_CASE("the job script of plan computes the shares, and the command in it mer
 }
 
 TEST_CASE("a job script without --shards has a share for each hour, and two at least") {
-  const WithStudy folder;
+  const WithSweep folder;
   REQUIRE(folder.ridgeloc("plan 'a study.toml' --slurm short.sh").exit_code == 0);
   CHECK(contains(folder.read("short.sh"), "--array=1-2\n"));
   REQUIRE(folder.ridgeloc("plan 'a study.toml' --trials 1e12 --threads 1 --slurm long.sh").exit_code == 0);
@@ -61,7 +61,7 @@ TEST_CASE("a job script without --shards has a share for each hour, and two at l
 }
 
 TEST_CASE("plan writes no job script that could not work") {
-  const WithStudy folder;
+  const WithSweep folder;
   folder.write("stop.toml",
                folder.read("a study.toml") + "[stop]\nmetric = \"error_m\"\ntarget = 1\nmax_trials = 90000\n");
   folder.write("result.h5", "\x89HDF\r\n\x1a\n and more");

@@ -35,10 +35,6 @@ y = "error_m"
 group = ["method", "range_sigma_m"]
 )";
 
-struct WithStudy : WorkingFolder {
-  WithStudy() { write("s.toml", study); }
-};
-
 /// The number after a key of a JSON text.
 std::uint64_t number_of(const std::string& json, const std::string& key) {
   const std::size_t place = json.find("\"" + key + "\": ");
@@ -70,7 +66,7 @@ std::uint64_t values_in(const std::string& csv, const std::string& metric) {
 }  // namespace
 
 TEST_CASE("beside a run, status and export find no error, and what they count grows") {
-  const WithStudy folder;
+  const WithStudy folder(study);
   const Outcome started =
       folder.shell("'" RIDGELOC_PROGRAM
                    "' run s.toml --threads 1 --time-limit 90s > run.out 2> run.err & echo $! > pid; "
@@ -114,7 +110,7 @@ TEST_CASE("beside a run, status and export find no error, and what they count gr
 }
 
 TEST_CASE("a stopped run can be read by every verb that shows totals, marked incomplete") {
-  const WithStudy folder;
+  const WithStudy folder(study);
   REQUIRE(folder.ridgeloc("run s.toml --time-limit 1s").exit_code == 4);
   const std::string mark = "incomplete: the run has not come to its end";
   CHECK(contains(folder.ridgeloc("summary s.h5").out, mark));
@@ -143,7 +139,7 @@ TEST_CASE("a stopped run can be read by every verb that shows totals, marked inc
 }
 
 TEST_CASE("status of a killed run says so, of a complete result too, and of nothing is refused") {
-  const WithStudy folder;
+  const WithStudy folder(study);
   REQUIRE(folder
               .shell("'" RIDGELOC_PROGRAM
                      "' run s.toml & run=$!; until ls s.h5.parts/part-*.h5 > nothing 2>&1; do sleep 0.1; done; "

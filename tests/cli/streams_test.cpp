@@ -18,16 +18,12 @@ points = [3, 5]
 solver = "ols"
 )";
 
-struct WithStudy : WorkingFolder {
-  WithStudy() { write("s.toml", study); }
-};
-
 const std::string program = "'" RIDGELOC_PROGRAM "' ";
 
 }  // namespace
 
 TEST_CASE("a run whose messages nobody can take ends as any other") {
-  const WithStudy folder;
+  const WithStudy folder(study);
   REQUIRE(folder.ridgeloc("run s.toml -o whole.h5").exit_code == 0);
   const std::string digest = results::data_digest(folder.path() / "whole.h5");
   const std::string error = GENERATE("2> /dev/full", "2>&-", "2> >(true)", "< /dev/null 0<&- 2>&-");
@@ -42,7 +38,7 @@ TEST_CASE("a run whose messages nobody can take ends as any other") {
 }
 
 TEST_CASE("progress that cannot be shown ends nothing") {
-  const WithStudy folder;
+  const WithStudy folder(study);
   // A line of progress comes every ten seconds where there is no terminal.
   const Outcome outcome = folder.shell(program + "run s.toml --trials 1e10 --threads 1 --time-limit 11s 2> /dev/full");
   CHECK(outcome.exit_code == 4);
@@ -50,7 +46,7 @@ TEST_CASE("progress that cannot be shown ends nothing") {
 }
 
 TEST_CASE("a closed standard output or error is not taken by a file") {
-  const WithStudy folder;
+  const WithStudy folder(study);
   const std::string closed = GENERATE(">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-");
   INFO(closed);
   const Outcome run = folder.shell(program + "run s.toml " + closed);
@@ -60,7 +56,7 @@ TEST_CASE("a closed standard output or error is not taken by a file") {
 }
 
 TEST_CASE("studies after one whose name could not be printed run too") {
-  const WithStudy folder;
+  const WithStudy folder(study);
   folder.write("t.toml", study);
   for (const char* reader : {"> /dev/full", "| true"}) {
     const Outcome outcome =
@@ -74,7 +70,7 @@ TEST_CASE("studies after one whose name could not be printed run too") {
 }
 
 TEST_CASE("a reader that has seen enough ends a verb without a word; a full disk is told") {
-  const WithStudy folder;
+  const WithStudy folder(study);
   REQUIRE(folder.ridgeloc("run s.toml --trials 5000").exit_code == 0);
   for (const char* verb : {"list", "summary s.h5", "export --trials s.h5", "--help"}) {
     INFO(verb);
@@ -88,14 +84,14 @@ TEST_CASE("a reader that has seen enough ends a verb without a word; a full disk
 }
 
 TEST_CASE("a mistake has its exit code where it cannot be told") {
-  const WithStudy folder;
+  const WithStudy folder(study);
   for (const char* error : {"2>&-", "2> /dev/full"})
     for (const char* verb : {"summary missing.h5", "run missing.toml", "lst", "run s.toml --trials none"})
       CHECK(folder.shell(program + verb + " " + error).exit_code == 2);
 }
 
 TEST_CASE("a terminal that goes away stops a run and keeps what is finished; under nohup it runs on") {
-  const WithStudy folder;
+  const WithStudy folder(study);
   const std::string wait_for_part =
       "run=$!; until ls s.h5.parts/part-*.h5 > nothing 2>&1; do sleep 0.1; done; kill -HUP $run; ";
   const Outcome stopped = folder.shell(program + "run s.toml --trials 1e10 & " + wait_for_part + "wait $run");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "results/blocks/block.hpp"
+#include "studies/plan/assignment.hpp"
 #include "studies/plan/plan.hpp"
 #include "studies/study/capabilities.hpp"
 #include "studies/study/study.hpp"
@@ -34,5 +35,17 @@ struct PreparedCell {
     return *found;
   }
 };
+
+/// The rows of the first block of a study's only cell, one per method and one for the scene.
+inline std::vector<results::Row> first_block(const studies::Study& study, core::Isa isa = core::Isa::Baseline,
+                                             double audit = 0.0) {
+  const studies::Plan plan = studies::make_plan(study, isa);
+  const studies::TrialRange range = studies::everything(plan).range(0);
+  results::BlockMethods methods = results::all_methods(plan.header);
+  methods.differences.clear();
+  results::BlockSink sink(plan.header, 0, 0, range.count, std::move(methods));
+  PreparedCell(study, plan.cells[0], plan.isa, audit).run(range, sink);
+  return sink.take_rows();
+}
 
 }  // namespace ridgeloc::tests

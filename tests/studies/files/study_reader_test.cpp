@@ -1,51 +1,20 @@
 #include "studies/files/study_reader.hpp"
 
-#include <algorithm>
 #include <fstream>
 
-#include "sim/range_noise.hpp"
 #include "studies/files/study_writer.hpp"
 #include "studies/plan/plan.hpp"
 #include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/message_of.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/valid_study.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
-
-namespace {
-
-const std::string valid = R"(experiment = "ranging"
-trials = 10
-[scene]
-depth_m = [2, 8]
-[sweep]
-points = [3, 5]
-[[method]]
-solver = "rr"
-k = "fixed"
-k_fixed = 0.5
-)";
-
-Study read(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  return read_study({"demo", "demo.toml", text}, overrides);
-}
-
-/// The error message of a study, empty if there is none.
-std::string error_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  return tests::refusal_of([&] { make_plan(read(text, overrides)); });
-}
-
-/// `valid` with one piece replaced.
-std::string with(const std::string& piece, const std::string& replacement) {
-  std::string text = valid;
-  const auto at = text.find(piece);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, piece.size(), replacement);
-}
-
-}  // namespace
+using tests::error_of;
+using tests::read;
+using tests::valid;
+using tests::with;
 
 TEST_CASE("a study is read with its defaults filled in") {
   const Study study = read(valid);
@@ -81,16 +50,6 @@ TEST_CASE("a resolved study reads back as itself, and so does the template") {
   }
 }
 
-TEST_CASE("overrides replace, add and reach into tables and methods") {
-  const Study study = read(valid, {"scene.depth_m=[1, 3]", "trials=77", "noise.range_sigma_m=0.25",
-                                   "method.0.k=kibria_gm", "sweep.points=[4]"});
-  CHECK(std::get<Interval>(study.fixed.at("depth_m")) == Interval{1, 3});
-  CHECK(study.trials == 77);
-  CHECK(std::get<double>(study.fixed.at("range_sigma_m")) == 0.25);
-  CHECK(std::get<std::string>(study.methods[0].given.at("k")) == "kibria_gm");
-  CHECK(study.sweep[0].values == std::vector<Value>{std::int64_t{4}});
-}
-
 TEST_CASE("a whole number may be written as a real one, and is that number exactly") {
   CHECK(read(with("trials = 10", "trials = 1e6")).trials == 1'000'000);
   CHECK(read(valid, {"trials=2.5e3"}).trials == 2500);
@@ -111,42 +70,12 @@ TEST_CASE("messages echo numbers in their shortest form, and no more of a text t
   }
 }
 
-TEST_CASE("overrides replace whole entries of lists, and add one behind the last") {
-  const Study study =
-      read(valid, {"method.0={solver=\"ols\"}", "method.1={solver=\"lm\", name=\"b\"}", "sweep.points.1=7",
-                   "sweep.points.2=9", "method.2={solver=\"rr\"}", "method.2.k=fixed"});
-  REQUIRE(study.methods.size() == 3);
-  CHECK(study.methods[0].label == "ols");
-  CHECK(study.methods[1].label == "b");
-  CHECK(std::get<std::string>(study.methods[2].given.at("k")) == "fixed");
-  CHECK(study.sweep[0].values == std::vector<Value>{std::int64_t{3}, std::int64_t{7}, std::int64_t{9}});
-  CHECK(error_of(valid, {"method.2={solver=\"ols\"}"}) ==
-        "--set method.2={solver=\"ols\"}: \"2\" is not a position in a list of 1 (they count from 0)");
-  CHECK(error_of(valid, {"method.1={solver=\"olx\"}"}).starts_with("--set method.1={solver=\"olx\"}: solver: unknown"));
-}
-
 TEST_CASE("a range keeps its digits, and exclude finds its values") {
   const Study study = read(with("points = [3, 5]",
                                 "range_sigma_m = { from = 0.1234567890123456, to = 2.1234567890123456, step = 1 }\n"
                                 "exclude = [{ range_sigma_m = 0.1234567890123456 }]"));
   CHECK(std::get<double>(study.sweep[0].values[0]) == 0.1234567890123456);
   CHECK(make_plan(study).cells.size() == 2);
-}
-
-TEST_CASE("a figure without a name is called after the study, in letters that a file may have") {
-  const auto named = [](const std::string& study) {
-    return read_study({study, study + ".toml",
-                       valid + "[[figure]]\nx = \"points\"\ny = \"error_m\"\n"
-                               "[[figure]]\nx = \"points\"\ny = \"iterations\"\n"})
-        .figures;
-  };
-  CHECK(named("my study")[0].name == "my-study");
-  CHECK(named("my study")[1].name == "my-study-2");
-  CHECK(named("study (1)")[0].name == "study--1-");
-  CHECK(named("größe")[0].name == "größe");
-  CHECK(named("a+b")[0].name == "a-b");
-  CHECK(named("..hidden")[0].name == "hidden");
-  CHECK(named("...")[0].name == "figure");
 }
 
 TEST_CASE("each bad study gets one line with file, line, bound and nearest name") {
@@ -232,181 +161,6 @@ TEST_CASE("each bad study gets one line with file, line, bound and nearest name"
   INFO(text << "\n-> " << error);
   CHECK(error.find(message) != std::string::npos);
   CHECK(error.find('\n') == std::string::npos);
-}
-
-namespace {
-
-/// `valid` with these lines in [noise], from line 4 on.
-std::string noise(const std::string& lines) {
-  return with("[scene]\n", "[noise]\n" + lines + "[scene]\n");
-}
-std::string samples(const std::string& value) {
-  return noise("noise_model = \"empirical\"\nnoise_samples = " + value + "\n");
-}
-
-/// A folder with a file of residuals, removed at the end.
-struct Residuals {
-  Residuals() {
-    std::ofstream(folder / "residuals.csv") << "id,e_m,unit\n1,0.5,m\n2,-1.5,m\n3,0.25,m\n";
-    std::ofstream many(folder / "many.csv");
-    many << "e_m\n";
-    for (int i = 0; i <= 100'000; ++i) many << "1\n";
-  }
-
-  const tests::ScratchFolder folder;
-};
-
-}  // namespace
-
-TEST_CASE("samples enter the resolved study, from a list or from a file beside the study, and the hash") {
-  const Residuals residuals;
-  const std::string text = samples("{ file = \"residuals.csv\", column = \"e_m\" }");
-  const Study study = read_study({"demo", (residuals.folder / "demo.toml").string(), text});
-  CHECK(std::get<Samples>(study.fixed.at("noise_samples")) == Samples({0.5, -1.5, 0.25}));
-  const std::string resolved = resolved_toml(study);
-  CHECK(resolved.find("noise_samples = [0.5, -1.5, 0.25]\n") != std::string::npos);
-  CHECK(resolved_toml(read(resolved)) == resolved);
-
-  const auto hash = [](const Study& s) { return make_plan(s).header.study_hash; };
-  CHECK(hash(read(samples("[0.5, -1.5, 0.25]"))) == hash(study));
-  CHECK(hash(read(samples("[0.5, -1.5, 0.125]"))) != hash(study));
-
-  // Paths of an override start from the working directory.
-  const std::string file = (residuals.folder / "residuals.csv").string();
-  CHECK(resolved_toml(read(samples("[1, 2]"), {"noise.noise_samples={file=\"" + file + "\",column=\"e_m\"}"})) ==
-        resolved);
-}
-
-TEST_CASE("each bad list or file of samples gets one line") {
-  const Residuals residuals;
-  const std::string folder = residuals.folder.path().string() + "/";
-  const auto file = [&](const std::string& name, const std::string& column) {
-    return samples("{ file = \"" + folder + name + "\", column = \"" + column + "\" }");
-  };
-  const std::vector<std::pair<std::string, std::string>> cases = {
-      {noise("noise_model = \"empirical\"\n"),
-       "demo.toml: noise_model = \"empirical\" needs noise.noise_samples: a list"},
-      {samples("[]"), "demo.toml: noise_model = \"empirical\" needs noise.noise_samples"},
-      {samples("[1]"), "demo.toml:5: noise.noise_samples: too few samples, 1; give 2 at least"},
-      {samples("[0, 0.0]"), "demo.toml:5: noise.noise_samples: the samples are all zero"},
-      {samples("[1, \"x\"]"), "demo.toml:5: noise.noise_samples[1] is not a number"},
-      {samples("[1, nan]"),
-       "demo.toml:5: noise.noise_samples: nan is not allowed: samples are numbers from -1000000 to"},
-      {samples("[1, 2e6]"), "demo.toml:5: noise.noise_samples: 2000000 is not allowed"},
-      {samples("3"),
-       "demo.toml:5: noise.noise_samples = 3 is not allowed: noise.noise_samples takes a list of numbers"},
-      {samples("{ file = \"a.csv\" }"), "demo.toml:5: noise.noise_samples lacks column"},
-      {samples("{ column = \"a\" }"), "demo.toml:5: noise.noise_samples lacks file"},
-      {samples("{ file = \"a.csv\", columm = \"a\" }"), "demo.toml:5: unknown key \"columm\" in noise.noise_samples"},
-      {file("residual.csv", "e_m"),
-       "demo.toml:5: noise.noise_samples.file: there is no file " + folder + "residual.csv"},
-      {file("residuals.csv", "em"), "residuals.csv:1: no column \"em\" (did you mean \"e_m\"?)"},
-      {file("residuals.csv", "unit"), "residuals.csv:2: \"m\" in column \"unit\" is not a number"},
-      {file("many.csv", "e_m"), "demo.toml:5: noise.noise_samples: at most 100000 samples are allowed"},
-      {with("points = [3, 5]", "noise_samples = [[1, 2]]"), "demo.toml:6: noise_samples cannot be swept"},
-      {with("points = [3, 5]", "noise_dof = [3, 4]"),
-       "demo.toml:5: sweep.noise_dof changes nothing: it is read only if noise_model is student_t"},
-      {with("points = [3, 5]", "noise_model = [\"normal\", \"student_t\"]\noutlier_rate = [0, 0.1]"),
-       "demo.toml:5: sweep.outlier_rate changes nothing: it is read only if noise_model is contaminated"},
-      {with("points = [3, 5]", "score_low = [0.2, 0.5]"),
-       "demo.toml:5: sweep.score_low changes nothing: it is read only if scores is random"},
-      {with("points = [3, 5]", "noise_model = [\"normal\", \"empirical\"]"),
-       "demo.toml: noise_model = \"empirical\" needs noise.noise_samples"},
-      {noise("noise_dof = 2\n"),
-       "demo.toml:4: noise.noise_dof = 2 is not allowed: noise.noise_dof takes a number from 2.1"},
-  };
-  for (const auto& [text, message] : cases) {
-    const std::string error = error_of(text);
-    INFO(text << "\n-> " << error);
-    CHECK(error.find(message) != std::string::npos);
-    CHECK(error.find('\n') == std::string::npos);
-  }
-}
-
-TEST_CASE("settings that nothing reads may stand in their section, and may be swept where something reads them") {
-  CHECK(error_of(noise("noise_dof = 4.5\nscore_low = 0.5\nnoise_samples = [1, 2]\n")) == "");
-  CHECK(error_of(with("points = [3, 5]", "noise_model = [\"normal\", \"student_t\"]\nnoise_dof = [3, 4]")) == "");
-  CHECK(error_of(with("points = [3, 5]", "scores = [\"none\", \"random\"]\nscore_low = [0.2, 0.5]")) == "");
-}
-
-TEST_CASE("every option of a noise model is a setting that is read if the model is chosen") {
-  for (const sim::NoiseEntry& entry : sim::noise_registry()) {
-    for (const std::string_view option : entry.options) {
-      const auto settings = find_experiment("ranging")->settings();
-      const auto setting = std::ranges::find(settings, option, &Setting::name);
-      INFO(option);
-      REQUIRE(setting != settings.end());
-      CHECK(setting->read_if.setting == "noise_model");
-      CHECK(std::ranges::count(setting->read_if.choices, entry.name) == 1);
-    }
-  }
-}
-
-TEST_CASE("a figure can do without bounds") {
-  const std::string text =
-      "experiment = \"ranging\"\n[sweep]\npoints = [3, 5]\n[[method]]\nsolver = \"rr\"\n[[figure]]\n";
-  const std::string curve = text + "x = \"points\"\ny = \"error_m\"\n";
-  CHECK(read(curve).figures[0].bounds);
-  const std::string without = resolved_toml(read(curve + "bounds = false\n"));
-  CHECK_FALSE(read(without).figures[0].bounds);
-  CHECK(error_of(text + "kind = \"ecdf\"\ny = \"error_m\"\nbounds = true\n")
-            .find("figure.bounds does not go with kind = \"ecdf\"") != std::string::npos);
-}
-
-TEST_CASE("a figure is restricted to values of the sweep") {
-  const std::string text = R"(experiment = "ranging"
-[sweep]
-points = [3, 5]
-depth_m = [[1, 5], [1, 10]]
-noise_model = ["normal", "student_t"]
-[[method]]
-solver = "rr"
-)";
-  const std::string figure = "[[figure]]\nx = \"points\"\ny = \"error_m\"\nwhere = ";
-  const auto where = [&](const std::string& value) { return read(text + figure + value + "\n").figures[0].where; };
-  CHECK(where("{ points = 3 }") == results::AxisValues{{"points", {"3"}}});
-  CHECK(where("{ points = [3, 5], noise_model = \"normal\" }") ==
-        results::AxisValues{{"noise_model", {"normal"}}, {"points", {"3", "5"}}});
-  CHECK(where("{ depth_m = [1, 5] }") == where("{ depth_m = [[1, 5]] }"));
-  for (const char* value : {"{ points = [3], noise_model = \"normal\" }", "{ depth_m = [[1, 5], [1, 10]] }"}) {
-    const std::string resolved = resolved_toml(read(text + figure + value + "\n"));
-    CHECK(resolved_toml(read(resolved)) == resolved);
-    CHECK(read(resolved).figures[0].where == where(value));
-  }
-  const auto refused = [&](const std::string& value) { return error_of(text + figure + value + "\n"); };
-  CHECK(refused("{ point = 3 }").find("unknown key \"point\" in figure.where (did you mean \"points\"?)") !=
-        std::string::npos);
-  CHECK(refused("{ points = 4 }").find("figure.where.points is not among the values of that axis") !=
-        std::string::npos);
-  CHECK(refused("{ points = [] }").find("figure.where.points is an empty list") != std::string::npos);
-  CHECK(refused("3").find("figure.where must be a table") != std::string::npos);
-}
-
-TEST_CASE("a figure of a distribution has no axis") {
-  const std::string figure = "[[figure]]\nkind = \"ecdf\"\n";
-  const std::string unswept = with("[sweep]\npoints = [3, 5]\n", "");
-  const Study study = read(unswept + figure + "y = \"error_m\"\n");
-  CHECK(study.figures[0].kind == "ecdf");
-  CHECK(study.figures[0].x.empty());
-  CHECK(resolved_toml(read(resolved_toml(study))) == resolved_toml(study));
-  const auto refused = [&](const std::string& lines) { return error_of(valid + figure + lines); };
-  CHECK(refused("y = \"error_m\"\nx = \"points\"\n").find("demo.toml:14: figure.x does not go with kind") == 0);
-  CHECK(refused("y = \"error_m\"\nstatistic = \"mean\"\n").find("figure.statistic does not go") != std::string::npos);
-  CHECK(refused("y = \"converged\"\n").find("takes one metric as y") != std::string::npos);
-  CHECK(refused("y = \"ref_converged\"\n").find("none that is yes or no") != std::string::npos);
-  CHECK(refused("y = [\"error_m\", \"iterations\"]\n").find("takes one metric as y") != std::string::npos);
-  CHECK(error_of(valid + "[[figure]]\nkind = \"edcf\"\ny = \"error_m\"\n").find("did you mean \"ecdf\"?") !=
-        std::string::npos);
-}
-
-TEST_CASE("a bad override is named as it was given") {
-  CHECK(error_of(valid, {"scene.depth_m=[2,1]"}).starts_with("--set scene.depth_m=[2,1]: scene.depth_m = [ 2, 1 ]"));
-  CHECK(error_of(valid, {"scene.dept_m=1"}).starts_with("--set scene.dept_m=1: unknown key \"dept_m\" in [scene]"));
-  CHECK(error_of(valid, {"trials"}) == "--set trials: expected KEY=VALUE, for example scene.depth_m=[2,15]");
-  CHECK(error_of(valid, {"method.3.k=fixed"}).starts_with("--set method.3.k=fixed: \"3\" is not a position"));
-  CHECK(error_of(valid, {"foo.bar=1"}).starts_with("--set foo.bar=1: unknown key \"foo\" in the study"));
-  CHECK(error_of(valid, {"seed=1\ntrials=5"}).find("expected one KEY=VALUE") != std::string::npos);
-  CHECK(error_of(valid, {"trials.x=1"}).starts_with("--set trials.x=1: "));
 }
 
 TEST_CASE("methods are compared with the first one, or as [[compare]] says") {

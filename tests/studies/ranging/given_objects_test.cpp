@@ -22,6 +22,7 @@
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
+using tests::first_block;
 
 namespace {
 
@@ -42,17 +43,6 @@ std::string error_of(const std::string& scene, const std::string& rest = "") {
 
 std::vector<std::string> remarks_of(const std::string& scene) {
   return make_plan(read(study_text(scene))).remarks;
-}
-
-/// The rows of the first block of the only cell.
-std::vector<results::Row> first_block(const Study& study, core::Isa isa = core::Isa::Baseline) {
-  const Plan plan = make_plan(study, isa);
-  const TrialRange range = everything(plan).range(0);
-  results::BlockMethods methods = results::all_methods(plan.header);
-  methods.differences.clear();
-  results::BlockSink sink(plan.header, 0, 0, range.count, std::move(methods));
-  tests::PreparedCell(study, plan.cells[0], plan.isa, study.audit).run(range, sink);
-  return sink.take_rows();
 }
 
 double mean_of(const Study& study, const results::Row& row, const std::string& metric) {
@@ -177,9 +167,8 @@ TEST_CASE("with a known height two ranges have a bound of their own, and errors 
 }
 
 TEST_CASE("Ceres agrees where the height is known") {
-  Study study = read(study_text(room + "z_mode = \"fixed\"\ncamera_x_m = [1, 7]\ncamera_y_m = [1, 5]\n"));
-  study.audit = 0.001;
-  const auto rows = first_block(study);
+  const Study study = read(study_text(room + "z_mode = \"fixed\"\ncamera_x_m = [1, 7]\ncamera_y_m = [1, 5]\n"));
+  const auto rows = first_block(study, core::Isa::Baseline, 0.001);
   for (const std::size_t method : {0U, 1U}) {
     const auto& metrics = rows[method].statistics.metrics;
     CHECK(metrics[tests::metric_of(study, "ref_converged")].moments.n >= 100);

@@ -19,21 +19,7 @@
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
-
-namespace {
-
-/// The rows of the first block of a study's only cell, one per method and one for the scene.
-std::vector<results::Row> first_block(const Study& study, core::Isa isa = core::Isa::Baseline) {
-  const Plan plan = make_plan(study, isa);
-  const TrialRange range = everything(plan).range(0);
-  results::BlockMethods methods = results::all_methods(plan.header);
-  methods.differences.clear();
-  results::BlockSink sink(plan.header, 0, 0, range.count, std::move(methods));
-  tests::PreparedCell(study, plan.cells[0], plan.isa).run(range, sink);
-  return sink.take_rows();
-}
-
-}  // namespace
+using tests::first_block;
 
 TEST_CASE("the dilution of precision is that of the geometry") {
   core::ProblemBatch p;
