@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -59,6 +60,12 @@ void limit_this_process(std::uintmax_t bytes, unsigned patience_s) {
   dup2(nowhere, STDERR_FILENO);
 }
 
+/// Locks that the parent holds last until this process has ended too.
+void end_with(pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);
+}
+
 bool survives(const std::function<void()>& read) {
   try {
     read();
@@ -90,12 +97,14 @@ void probe(const std::string& result, const std::function<void()>& read, double 
   const std::uintmax_t bytes = results::stored_bytes(result);
   const double seconds = patience * static_cast<double>(least_seconds + bytes / bytes_per_second);
   const auto patience_s = static_cast<unsigned>(std::clamp(seconds, 1.0, 1e6));
+  const pid_t parent = getpid();
   const pid_t child = fork();
   if (child < 0) {
     throw core::IoError(
         fmt::format("{}: no process can be started to read it: {}", result, std::generic_category().message(errno)));
   }
   if (child == 0) {
+    end_with(parent);
     limit_this_process(bytes, patience_s);
     _exit(survives(read) ? 0 : 1);
   }

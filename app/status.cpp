@@ -14,6 +14,7 @@
 #include "app/result_probe.hpp"
 #include "app/verbs.hpp"
 #include "results/blocks/coverage.hpp"
+#include "results/schema/text.hpp"
 #include "results/store/parts_folder.hpp"
 #include "results/store/run_record.hpp"
 #include "results/store/snapshot.hpp"
@@ -70,28 +71,6 @@ Kept kept_of(const results::Snapshot& snapshot) {
   return kept;
 }
 
-struct Failed {
-  std::string method;
-  std::uint64_t trials = 0;
-  std::uint64_t failed = 0;
-};
-
-std::vector<Failed> failures_of(const results::Summary& summary) {
-  std::vector<Failed> list;
-  const results::Header& header = summary.header;
-  for (std::size_t m = 0; m < header.methods.size(); ++m) {
-    if (!results::is_solver(summary, m)) continue;
-    Failed& sum = list.emplace_back(Failed{header.methods[m].label});
-    for (std::size_t cell = 0; cell < header.cells.size(); ++cell) {
-      const results::Statistics& statistics = summary.of(cell, m);
-      if (statistics.events.empty()) continue;
-      sum.trials += statistics.trials;
-      sum.failed += results::failed_trials(header.schema, statistics);
-    }
-  }
-  return list;
-}
-
 /// All that is known of a result and the run that makes it.
 struct Progress {
   std::string result;
@@ -103,7 +82,11 @@ struct Progress {
   /// As the run itself counts, which knows what it was asked for; else what is on the disk.
   std::uint64_t blocks_done() const { return run ? std::max(run->record.blocks_done, kept_blocks()) : kept.blocks; }
   std::uint64_t blocks_total() const { return run ? run->record.blocks_total : kept.blocks_asked; }
-  std::uint64_t trials_done() const { return run ? run->record.trials_done + run->record.trials_found : kept.trials; }
+  std::uint64_t trials_done() const {
+    if (!run) return kept.trials;
+    // A run that was stopped at its beginning has not counted yet what was there.
+    return std::max(run->record.trials_done + run->record.trials_found, std::min(kept.trials, trials_total()));
+  }
   std::uint64_t trials_total() const {
     return run ? run->record.trials_total : summary->header.trials * summary->header.cells.size();
   }
@@ -164,8 +147,8 @@ std::string state_text(const Progress& progress) {
     return "sealed, and lacks trials that the study asks for; the same command computes them";
   if (!progress.run) return "stopped; the same command goes on from there";
   const results::RunRecord& record = progress.run->record;
-  const std::string where = fmt::format("process {} on {}, since {}, {} {}", record.process, record.machine,
-                                        record.begun, record.workers, record.workers == 1 ? "thread" : "threads");
+  const std::string where = fmt::format("process {} on {}, since {}, {}", record.process, record.machine, record.begun,
+                                        results::count_text(record.workers, "thread"));
   const std::string ago = duration_text(progress.run->age_s);
   if (progress.state == "running") return fmt::format("running: {}", where);
   if (progress.state == "writing") return fmt::format("all is computed, and the result is being written: {}", where);
@@ -232,9 +215,14 @@ std::string json_of(const Progress& progress) {
   }
   std::vector<std::string> failures;
   if (progress.summary) {
-    for (const auto& [method, trials, failed] : failures_of(*progress.summary))
-      failures.push_back(fmt::format("{{\"method\": {}, \"trials\": {}, \"failed\": {}}}", results::json_string(method),
-                                     trials, failed));
+    const results::Summary& summary = *progress.summary;
+    const results::SummaryChoice all = results::whole(summary.header);
+    for (const std::size_t m : all.methods) {
+      if (!results::is_solver(summary, m)) continue;
+      const results::Failures sum = results::failures_of(summary, all, m);
+      failures.push_back(fmt::format("{{\"method\": {}, \"trials\": {}, \"failed\": {}}}",
+                                     results::json_string(summary.header.methods[m].label), sum.trials, sum.failed));
+    }
   }
   return text + fmt::format(",\n    \"failures\": [{}]\n  }}", fmt::join(failures, ", "));
 }

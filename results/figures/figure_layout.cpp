@@ -68,10 +68,6 @@ std::vector<FigureTick> spaced_ticks(const FigureData& data, const FigureLayout&
   return ticks;
 }
 
-std::string counted(std::size_t points) {
-  return fmt::format("{} {}", points, points == 1 ? "point" : "points");
-}
-
 std::string footnote(const FigureData& data, const FigureLayout& layout) {
   if (data.style != FigureStyle::Marks) return data.footnote;
   std::size_t omitted = 0;
@@ -99,8 +95,8 @@ std::string footnote(const FigureData& data, const FigureLayout& layout) {
   std::string text = data.footnote;
   if (any_bound) text += "; open triangles: not seen once, the upper 95 % bound of the rate";
   if (omitted > 0)
-    text += fmt::format("; {} not shown: infinite{}", counted(omitted), any_log ? " or not positive" : "");
-  if (outside > 0) text += fmt::format("; {} outside of the axes", counted(outside));
+    text += fmt::format("; {} not shown: infinite{}", count_text(omitted, "point"), any_log ? " or not positive" : "");
+  if (outside > 0) text += fmt::format("; {} outside of the axes", count_text(outside, "point"));
   return text;
 }
 

@@ -72,7 +72,11 @@ std::optional<Snapshot> united(const fs::path& path, bool with_result) {
 Snapshot taken(const fs::path& path, SnapshotOf of) {
   const bool has_result = is_there(path);
   if (has_result && of == SnapshotOf::Result) return read_sealed(path);
-  if (auto snapshot = united(path, has_result)) return std::move(*snapshot);
+  if (auto snapshot = united(path, has_result)) {
+    // Parts that were sealed and removed before they were listed are in the result.
+    if (!has_result && is_there(path)) throw Vanished();
+    return std::move(*snapshot);
+  }
   if (!is_there(path) && is_there(parts_folder(path)))
     throw core::InputError(fmt::format(
         "{} is not there yet, and {} holds no finished block; look again when the run has gone on for some seconds",

@@ -69,33 +69,6 @@ std::string significance(const SummaryRow& row, double limit) {
   return row.lo > 0.0 || row.hi < 0.0 ? " *" : "";
 }
 
-struct Failures {
-  std::uint64_t trials = 0;
-  std::uint64_t failed = 0;
-  std::vector<std::uint64_t> by_status;
-  std::size_t worst_cell = 0;
-  double worst_rate = 0.0;
-};
-
-Failures failures_of(const Summary& summary, const SummaryChoice& choice, std::size_t method) {
-  const Schema& schema = summary.header.schema;
-  Failures sum;
-  sum.by_status.resize(schema.statuses);
-  for (const std::size_t cell : choice.cells) {
-    const Statistics& statistics = summary.of(cell, method);
-    if (statistics.events.empty() || statistics.trials == 0) continue;
-    const std::uint64_t failed = failed_trials(schema, statistics);
-    sum.trials += statistics.trials;
-    sum.failed += failed;
-    for (std::size_t s = 0; s < schema.statuses; ++s) sum.by_status[s] += statistics.events[s];
-    const double rate = static_cast<double>(failed) / static_cast<double>(statistics.trials);
-    if (rate <= sum.worst_rate) continue;
-    sum.worst_rate = rate;
-    sum.worst_cell = cell;
-  }
-  return sum;
-}
-
 std::string reasons_text(const Schema& schema, const Failures& failures) {
   std::vector<std::string> reasons;
   for (std::size_t s = 0; s < schema.statuses; ++s) {
@@ -160,6 +133,25 @@ DifferenceTable difference_table(const Summary& summary, const SummaryChoice& ch
     differences.table.rows.push_back(std::move(row));
   }
   return differences;
+}
+
+Failures failures_of(const Summary& summary, const SummaryChoice& choice, std::size_t method) {
+  const Schema& schema = summary.header.schema;
+  Failures sum;
+  sum.by_status.resize(schema.statuses);
+  for (const std::size_t cell : choice.cells) {
+    const Statistics& statistics = summary.of(cell, method);
+    if (statistics.events.empty() || statistics.trials == 0) continue;
+    const std::uint64_t failed = failed_trials(schema, statistics);
+    sum.trials += statistics.trials;
+    sum.failed += failed;
+    for (std::size_t s = 0; s < schema.statuses; ++s) sum.by_status[s] += statistics.events[s];
+    const double rate = static_cast<double>(failed) / static_cast<double>(statistics.trials);
+    if (rate <= sum.worst_rate) continue;
+    sum.worst_rate = rate;
+    sum.worst_cell = cell;
+  }
+  return sum;
 }
 
 FittedTable failure_table(const Summary& summary, const SummaryChoice& choice) {

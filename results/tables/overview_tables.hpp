@@ -1,6 +1,9 @@
 #pragma once
-// Internal to results: the tables of an overview.
+// The tables of an overview.
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "results/summary/measure.hpp"
@@ -22,6 +25,18 @@ FittedTable method_table(const Summary& summary, const SummaryChoice& choice, co
 /// A row per cell and difference, a column per measure that is compared.
 DifferenceTable difference_table(const Summary& summary, const SummaryChoice& choice,
                                  const std::vector<Measure>& measures);
+
+/// How many of the trials of a method failed, and how.
+struct Failures {
+  std::uint64_t trials = 0;
+  std::uint64_t failed = 0;
+  std::vector<std::uint64_t> by_status;
+  std::size_t worst_cell = 0;  ///< with the largest share of failures
+  double worst_rate = 0.0;
+};
+
+/// Those of the chosen cells together.
+Failures failures_of(const Summary& summary, const SummaryChoice& choice, std::size_t method);
 
 /// A row per method that runs on trials: how many of those in the chosen cells failed, how, and where most.
 FittedTable failure_table(const Summary& summary, const SummaryChoice& choice);

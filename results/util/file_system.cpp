@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <fstream>
 #include <random>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "core/error.hpp"
@@ -177,12 +179,20 @@ std::string temporary_name() {
 }
 
 FolderLock::FolderLock(const fs::path& folder) {
+  // A process that was killed lets go of its lock within moments, not at once: its memory is given back first.
+  constexpr auto patience = std::chrono::seconds(1);
+  constexpr auto pause = std::chrono::milliseconds(10);
+  const auto deadline = std::chrono::steady_clock::now() + patience;
   for (;;) {
     descriptor_ = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor_ < 0)
       throw core::IoError(fmt::format("cannot open the folder {}: {}", folder.string(), reason(errno)));
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       ::close(descriptor_);
+      if (std::chrono::steady_clock::now() < deadline) {
+        std::this_thread::sleep_for(pause);
+        continue;
+      }
       throw core::InputError(
           fmt::format("another run is writing to {}; wait for it, stop it, or choose another -o", folder.string()));
     }

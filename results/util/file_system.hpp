@@ -66,7 +66,7 @@ std::string temporary_name();
 /// An advisory lock on a folder, held while the object lives and dropped by the system when the process dies.
 class FolderLock {
  public:
-  /// Throws core::InputError if another process holds it. File systems without locks are let pass: there,
+  /// Throws core::InputError if another process holds it for a second. File systems without locks are let pass: there,
   /// that only one run writes to a result is the user's care.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();

@@ -113,6 +113,14 @@ TEST_CASE("a stopped run can be read by every verb that shows totals, marked inc
   const WithStudy folder(study);
   REQUIRE(folder.ridgeloc("run s.toml --time-limit 1s").exit_code == 4);
   const std::string mark = "incomplete: the run has not come to its end";
+  // A run that is told to stop at once has not counted yet what others left.
+  REQUIRE(folder
+              .shell("sed -i 's/^trials_done .*/trials_done 0/; s/^trials_found .*/trials_found 0/' "
+                     "s.h5.parts/run.txt")
+              .exit_code == 0);
+  const Outcome looked = folder.ridgeloc("status --json s.h5");
+  CHECK(number_of(looked.out, "blocks_kept") > 0);
+  CHECK(number_of(looked.out, "trials_done") >= number_of(looked.out, "blocks_kept"));
   CHECK(contains(folder.ridgeloc("summary s.h5").out, mark));
   CHECK(contains(folder.ridgeloc("summary --all s.h5").out, mark));
   CHECK(contains(folder.ridgeloc("export --json s.h5").out, "\"sealed\": false"));
