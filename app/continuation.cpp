@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "results/store/parts_folder.hpp"
 #include "results/store/result_file.hpp"
+#include "results/util/file_system.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/plan/union.hpp"
 #include "studies/registry.hpp"
@@ -82,7 +83,7 @@ Job continued(studies::Study study, const std::filesystem::path& output, const s
               const studies::Shard& shard) {
   if (shard.count > 1) require_shareable(study);
   const std::string path = output.string();
-  const bool has_result = path_exists(output);
+  const bool has_result = results::path_exists(output);
   if (has_result) probe(path, [&] { results::read_completely(path); });
   const std::vector<results::Header> headers = results::headers_at(output);
   Job job;

@@ -86,11 +86,6 @@ void require_folder(const fs::path& folder) {
   }
 }
 
-bool path_exists(const fs::path& path) {
-  std::error_code unknown;
-  return fs::exists(path, unknown);
-}
-
 bool is_reader_gone() {
   pollfd output{STDOUT_FILENO, 0, 0};
   return ::poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;

@@ -31,9 +31,6 @@ void write_output(const std::string& path, const std::function<void(std::ostream
 /// Makes a folder if it is not there; its parent must be. Throws core::InputError.
 void require_folder(const std::filesystem::path& folder);
 
-/// Whether a file or folder of that name is there; a name that cannot be asked for counts as absent.
-bool path_exists(const std::filesystem::path& path);
-
 /// Standard output could not be written.
 class OutputLost : public core::IoError {
  public:

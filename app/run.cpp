@@ -108,7 +108,7 @@ void print_surplus(const Job& job) {
 std::string kept_in(const fs::path& output) {
   std::vector<std::string> places;
   for (const fs::path& path : {output, results::parts_folder(output)})
-    if (path_exists(path)) places.push_back(path.string());
+    if (results::path_exists(path)) places.push_back(path.string());
   return places.empty() ? "" : fmt::format(" in {}", fmt::join(places, " and "));
 }
 
@@ -147,7 +147,8 @@ bool run_job(const Request& request, const RunOptions& options, const std::atomi
                                  build_provenance(), progress, stop);
   } catch (const core::IoError& error) {
     const fs::path parts = results::parts_folder(job.output);
-    const std::string kept = path_exists(parts) ? fmt::format("finished parts are kept in {}; ", parts.string()) : "";
+    const std::string kept =
+        results::path_exists(parts) ? fmt::format("finished parts are kept in {}; ", parts.string()) : "";
     throw core::IoError(fmt::format("{} ({}the same command goes on from there)", error.what(), kept));
   }
   for (const std::string& warning : outcome.warnings) say(fmt::format("warning: {}\n", warning));

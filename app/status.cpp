@@ -21,6 +21,7 @@
 #include "results/summary/measure.hpp"
 #include "results/tables/fitted_table.hpp"
 #include "results/tables/overview_tables.hpp"
+#include "results/util/file_system.hpp"
 #include "results/util/json.hpp"
 
 namespace ridgeloc::app {
@@ -126,7 +127,7 @@ Progress progress_of(const std::string& name) {
   progress.result = result_named(name);
   const fs::path folder = results::parts_folder(progress.result);
   progress.run = results::find_run_record(folder);
-  const bool has_blocks = path_exists(progress.result) || !results::content_of(folder).parts.empty();
+  const bool has_blocks = results::path_exists(progress.result) || !results::content_of(folder).parts.empty();
   if (!has_blocks && progress.run) {
     progress.state = state_of(progress, false);
     return progress;

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Usage: scripts/build.sh [--test | --quick | --bench | --fuzz | --asan] [--help]
+# Usage: scripts/build.sh [--test | --all | --quick | --bench | --fuzz | --asan] [--help]
 # Installs what is missing (scripts/setup.sh), configures and builds: the program alone into build/release; with --test
-# the tests too; with --quick the program in the shortest time, for this processor alone, into build/quick; with --bench
-# the comparison with other solvers into build/bench; with --fuzz the fuzzers into build/fuzz; with --asan the unit tests
-# under address and undefined-behaviour sanitizers into build/asan.
+# the tests too; with --all the tests and the comparison with other solvers; with --quick the program in the shortest
+# time, for this processor alone, into build/quick; with --bench the comparison alone into build/bench; with --fuzz the
+# fuzzers into build/fuzz; with --asan the unit tests under address and undefined-behaviour sanitizers into build/asan.
 # CMAKE_BUILD_PARALLEL_LEVEL=N: number of compilers at once.
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
@@ -15,12 +15,13 @@ targets=()
 case "${1:-}" in
   "") options=(-DBUILD_TESTING=OFF) targets=(ridgeloc_app) ;;
   --test) setup=(--test) options=(-DBUILD_TESTING=ON) ;;
+  --all) setup=(--test --bench) options=(-DBUILD_TESTING=ON -DRIDGELOC_BUILD_BENCHMARKS=ON) ;;
   --quick) preset=quick targets=(ridgeloc_app) ;;
   --bench) preset=bench setup=(--bench) ;;
   --fuzz) preset=fuzz setup=(--fuzz) targets=(read_bytes read_values) ;;
   --asan) preset=asan setup=(--test) targets=(unit_tests) ;;
-  -h | --help) sed -n '2,7s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
-  *) echo "build: unknown option '$1'; allowed: --test, --quick, --bench, --fuzz, --asan, --help" >&2; exit 2 ;;
+  -h | --help) sed -n '2,8s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  *) echo "build: unknown option '$1'; allowed: --test, --all, --quick, --bench, --fuzz, --asan, --help" >&2; exit 2 ;;
 esac
 if (($# > 1)); then
   echo "build: one option at a time; see scripts/build.sh --help" >&2

@@ -10,7 +10,16 @@ namespace ridgeloc::sim {
 namespace {
 
 /// Random blocks that an object has of each picture.
-enum Draw : std::uint64_t { Found, VerticalEdges, HorizontalEdges, Outlier, CentreShift, Height, Score, draws };
+enum DetectionDraw : std::uint64_t {
+  Found,
+  VerticalEdges,
+  HorizontalEdges,
+  Outlier,
+  CentreShift,
+  Height,
+  Score,
+  detection_draws
+};
 
 constexpr std::uint64_t draws_of_attempt = std::uint64_t{1} << 32;
 
@@ -30,10 +39,10 @@ core::Stream detector_stream(std::uint64_t seed) {
 std::optional<Detection> detect(const DetectorModel& model, const BuildingMap& map, const View& view,
                                 const core::Stream& stream, std::uint64_t trial, std::uint64_t attempt) {
   const MapObject& object = map.objects[view.object];
-  const auto block = [&](Draw draw) {
-    return stream.block(trial, attempt * draws_of_attempt + view.object * draws + draw);
+  const auto block = [&](DetectionDraw draw) {
+    return stream.block(trial, attempt * draws_of_attempt + view.object * detection_draws + draw);
   };
-  const auto normals = [&](Draw draw) { return core::normal_pair(core::uniform_pair(block(draw))); };
+  const auto normals = [&](DetectionDraw draw) { return core::normal_pair(core::uniform_pair(block(draw))); };
 
   const bool near = view.range_m <= model.near_m;
   const auto& of_class = map.classes[object.object_class].recall;

@@ -9,7 +9,7 @@ namespace ridgeloc::sim {
 
 namespace {
 
-enum Draw : std::uint64_t { Place, Heading, Tilt, draws };
+enum PoseDraw : std::uint64_t { Place, Heading, Tilt, pose_draws };
 
 /// Half a side less the distance from walls, but never less than nothing: a narrow area has its middle line.
 double half_room(const std::array<double, 2>& side, double wall_distance_m) {
@@ -30,7 +30,7 @@ PhotoTaker::PhotoTaker(const BuildingMap& map, const PhotoOptions& options, cons
 }
 
 CameraPose PhotoTaker::draw_pose(std::uint64_t trial, std::uint64_t attempt) const {
-  const auto block = [&](Draw draw) { return poses_.block(trial, attempt * draws + draw); };
+  const auto block = [&](PoseDraw draw) { return poses_.block(trial, attempt * pose_draws + draw); };
   const auto place = core::uniform_triple(block(Place));
   const auto heading = core::uniform_pair(block(Heading));
   const auto tilt = core::normal_pair(core::uniform_pair(block(Tilt)));

@@ -11,9 +11,6 @@
 namespace ridgeloc::results {
 namespace {
 
-/// More bands in a panel would hide each other.
-constexpr std::size_t most_bands = 3;
-
 /// Neither a difference nor a ratio, which nothing bounds.
 bool is_solver(const MethodInfo& method) {
   return !method.difference && !method.ratio;

@@ -26,9 +26,6 @@ using Quantity = FigureNames::Quantity;
 using Statistic = FigureNames::Statistic;
 constexpr std::size_t method_dimension = FigureNames::method_dimension;
 
-/// Bands of more lines in a panel would hide each other.
-constexpr std::size_t most_bands = 3;
-
 /// More lines in a panel cannot be told apart.
 constexpr std::size_t most_lines = 30;
 

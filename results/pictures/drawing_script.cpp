@@ -13,12 +13,10 @@
 namespace ridgeloc::results {
 namespace {
 
-using Layout = DrawingLayout;
-
 constexpr const char* contour_colour = "#bbbbbb";
 
-Page page_of(const Layout& layout) {
-  return {Layout::width, layout.height};
+Page page_of(const DrawingLayout& layout) {
+  return {DrawingLayout::width, layout.height};
 }
 
 struct PathStyle {
@@ -109,7 +107,7 @@ std::string find_contours(const DrawnContours& contours, const DrawingWindow& wi
 }
 
 /// All that is written on the page outside of the plot, and the legend's samples, in coordinates of millimetres.
-std::string draw_page(const Drawing& drawing, const Layout& layout) {
+std::string draw_page(const Drawing& drawing, const DrawingLayout& layout) {
   const Page page = page_of(layout);
   std::string script;
   const auto lines = [&](const std::vector<std::string>& texts, double x, double y, double height,
@@ -119,15 +117,15 @@ std::string draw_page(const Drawing& drawing, const Layout& layout) {
       y += height;
     }
   };
-  lines(layout.title, Layout::width / 2.0, layout.title_y, PageStyle::line_height, "center font ',8.5'");
+  lines(layout.title, DrawingLayout::width / 2.0, layout.title_y, PageStyle::line_height, "center font ',8.5'");
   lines(layout.footnote, PageStyle::edge, layout.footnote_y, PageStyle::footnote_line_height,
         "left font ',5.5' tc rgb '#444444'");
   script += page_text(page, (layout.left + layout.right) / 2.0, layout.x_label_y, drawing.x_label, "center font ',7'");
   script += page_text(page, PageStyle::edge + PageStyle::line_height / 2.0, (layout.top + layout.bottom) / 2.0,
                       drawing.y_label, "center rotate by 90 font ',7'");
 
-  script += margins(page, 0.0, Layout::width, 0.0, layout.height) + "unset border\nunset tics\n" +
-            axis_ranges({0.0, Layout::width}, {layout.height, 0.0});
+  script += margins(page, 0.0, DrawingLayout::width, 0.0, layout.height) + "unset border\nunset tics\n" +
+            axis_ranges({0.0, DrawingLayout::width}, {layout.height, 0.0});
   std::string elements;
   const auto texts = legend_texts(drawing);
   for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -184,7 +182,7 @@ std::string draw_path(const VisiblePath& path, const PathStyle& style, bool fill
   return script;
 }
 
-std::string draw_plane(const Drawing& drawing, const Layout& layout) {
+std::string draw_plane(const Drawing& drawing, const DrawingLayout& layout) {
   const Page page = page_of(layout);
   std::string script = margins(page, layout.left, layout.right, layout.top, layout.bottom) +
                        "set border 3 lw 0.7\nset tics nomirror out scale 0.5,0.3 font ',7'\n"
@@ -224,7 +222,7 @@ std::string draw_plane(const Drawing& drawing, const Layout& layout) {
 }  // namespace
 
 std::string drawing_script(const Drawing& drawing, FigureFormat format, const std::filesystem::path& output) {
-  const Layout layout = drawing_layout(drawing);
+  const DrawingLayout layout = drawing_layout(drawing);
   std::string script = "set encoding utf8\n";
   if (drawing.contours && !drawing.contours->levels.empty()) script += find_contours(*drawing.contours, drawing.window);
   script += fmt::format("set terminal {} noenhanced\nset output {}\n", terminal(format, page_of(layout)),

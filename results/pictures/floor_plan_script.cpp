@@ -57,7 +57,7 @@ std::string style_of(PlanMark mark) {
   return {};
 }
 
-struct Layout {
+struct PlanLayout {
   std::size_t columns = 1;
   std::size_t rows = 1;
   double panel_width = 0.0;
@@ -78,8 +78,8 @@ struct Layout {
   }
 };
 
-Layout layout_of(const FloorPlan& plan) {
-  Layout layout;
+PlanLayout layout_of(const FloorPlan& plan) {
+  PlanLayout layout;
   layout.columns = std::min<std::size_t>(plan.panels.size(), 2);
   layout.rows = (plan.panels.size() + layout.columns - 1) / layout.columns;
   const auto columns = static_cast<double>(layout.columns);
@@ -114,7 +114,7 @@ std::string add_places(const std::string& name, PlanMark mark, const std::vector
   return script + "EOD\n";
 }
 
-std::string draw_panel(const FloorPlan& plan, const Layout& layout, const Page& page, std::size_t i) {
+std::string draw_panel(const FloorPlan& plan, const PlanLayout& layout, const Page& page, std::size_t i) {
   const double left = layout.left(i);
   const double top = layout.top(i);
   // Walls may run through the window with both ends outside.
@@ -139,7 +139,7 @@ std::string draw_panel(const FloorPlan& plan, const Layout& layout, const Page& 
 }
 
 /// Title, legend, axis labels and footnote, in coordinates of millimetres.
-std::string draw_page(const FloorPlan& plan, const Layout& layout, const Page& page) {
+std::string draw_page(const FloorPlan& plan, const PlanLayout& layout, const Page& page) {
   std::string script;
   double y = PageStyle::edge + PageStyle::line_height / 2.0;
   for (const std::string& line : layout.title) {
@@ -178,7 +178,7 @@ std::string draw_page(const FloorPlan& plan, const Layout& layout, const Page& p
 }  // namespace
 
 std::string floor_plan_script(const FloorPlan& plan, FigureFormat format, const std::filesystem::path& output) {
-  const Layout layout = layout_of(plan);
+  const PlanLayout layout = layout_of(plan);
   const Page page{page_width, layout.height};
   std::string script = fmt::format("set encoding utf8\nset terminal {} noenhanced\nset output {}\n$outlines << EOD\n",
                                    terminal(format, page), gnuplot_string(output.string()));

@@ -26,7 +26,7 @@ std::string replay_command(const ReportSource& source, std::size_t cell, std::si
                      shell_word(header.methods[method].label));
 }
 
-std::string worst_trials(const ReportSource& source) {
+std::string worst_trials_text(const ReportSource& source) {
   if (source.worst.empty()) return "<p>The result keeps no values of single trials.</p>\n";
   const Header& header = source.summary.header;
   const Measure measure = measures_of(header.schema)[source.worst_metric];
@@ -89,7 +89,7 @@ std::string report_commands(const ReportSource& source, const ReportPlace& place
   html += heading("figures-again", "Draw the figures");
   if (!header.figures.empty()) html += html_command(fmt::format("ridgeloc plot {} --format pdf", result));
   html += "<p>Each figure above has its own command.</p>\n";
-  html += heading("worst", "Look at the worst trials") + worst_trials(source);
+  html += heading("worst", "Look at the worst trials") + worst_trials_text(source);
   html += heading("failed", "Look at failed trials") + failed_trials(source);
   return html;
 }

@@ -16,7 +16,7 @@ namespace {
 
 using Kind = HtmlTable::Kind;
 
-constexpr const char* flag = " <b class=\"flag\">!</b>";
+constexpr const char* flag_mark = " <b class=\"flag\">!</b>";
 
 /// The number that leads for a measure, with its error or interval.
 HtmlCell estimate_cell(const SummaryRow& row, const Measure& measure) {
@@ -24,7 +24,7 @@ HtmlCell estimate_cell(const SummaryRow& row, const Measure& measure) {
   // Order statistics hold for every distribution.
   const bool is_median = measure.lead == Measure::Lead::Median;
   const bool flagged = !is_median && is_flagged(row, measure);
-  return {html_text(estimate_text(row, measure.lead)) + (flagged ? flag : ""),
+  return {html_text(estimate_text(row, measure.lead)) + (flagged ? flag_mark : ""),
           exact_text(is_median ? row.p50 : row.mean)};
 }
 
@@ -111,7 +111,7 @@ std::string full_table(const ReportSource& source) {
       cells.push_back(text_cell(text));
     cells.push_back(count_cell(row.n));
     for (const auto& number : numbers) cells.push_back(number_cell(row.*number.second));
-    cells.push_back({is_flagged(row, measure_of(measures, row)) ? flag : ""});
+    cells.push_back({is_flagged(row, measure_of(measures, row)) ? flag_mark : ""});
     table.add(cells);
   }
   return table.html();

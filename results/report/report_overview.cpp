@@ -13,7 +13,7 @@
 namespace ridgeloc::results {
 namespace {
 
-std::string entry(std::string_view term, std::string_view text) {
+std::string plain_entry(std::string_view term, std::string_view text) {
   return fmt::format("<dt>{}</dt><dd>{}</dd>\n", html_text(term), html_text(text));
 }
 
@@ -84,12 +84,12 @@ std::string report_overview(const ReportSource& source, const ReportPlace&) {
     return count;
   }();
   html += "<dl>\n";
-  html += entry("Result", source.path);
-  html += entry("Experiment", fmt::format("{}, version {}", header.experiment, header.experiment_version));
-  html += entry("Size", fmt::format("{} cells, {} methods", header.cells.size(), solvers));
-  html += entry("Seed", fmt::format("{}", header.seed));
+  html += plain_entry("Result", source.path);
+  html += plain_entry("Experiment", fmt::format("{}, version {}", header.experiment, header.experiment_version));
+  html += plain_entry("Size", fmt::format("{} cells, {} methods", header.cells.size(), solvers));
+  html += plain_entry("Seed", fmt::format("{}", header.seed));
   if (source.summary.is_sealed)
-    html += entry("Computed", fmt::format("{}, ridgeloc {}", origin.date, origin.program_version));
+    html += plain_entry("Computed", fmt::format("{}, ridgeloc {}", origin.date, origin.program_version));
   html += "</dl>\n<ul class=\"flags\">\n";
   html += flag(!is_complete(source.summary), "The result is " + completeness_text(source.summary) + ".");
   html += failure_flag(source.summary) + alarm_flag(source) + bar_flags(source);

@@ -81,10 +81,11 @@ std::string report_winners(const ReportSource& source, const ReportPlace&) {
   const std::string population =
       all_trials ? "" : " Not all trials have a value; what failed is under Failures and not in these numbers.";
   return fmt::format(
-             "<p>{} The smallest number of a cell is bold. * means that it is significantly the best: the means of all "
-             "others are larger, by differences of the same trials where the study compares the two, at 5 % for the "
+             "<p>{} The smallest number of a cell is bold. * means that it is significantly the best: all others are "
+             "larger in the mean, by differences of the same trials where the study compares the two{}, at 5 % for the "
              "cell as a whole. ≈ marks what is not shown to be worse than the best.{}</p>\n",
-             html_text(sentence(measure->description)), population) +
+             html_text(sentence(measure->description)),
+             measure->lead == Measure::Lead::Median ? ", or in the median" : "", population) +
          tally(header, methods, rankings) + table.html();
 }
 

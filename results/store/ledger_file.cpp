@@ -16,7 +16,7 @@ using Reals = std::vector<double>;
 
 /// The datasets of /ledger: those per row, per row and event, per row and metric, and ragged ones with
 /// offsets.
-struct Columns {
+struct RowColumns {
   Counts cell, method, first_block, blocks, trials;
   std::vector<std::uint8_t> reports_events;
   Counts events;
@@ -28,7 +28,7 @@ struct Columns {
   Counts digest_offset{0}, digest;
 };
 
-void append(Columns& columns, const MetricStatistics& metric) {
+void append(RowColumns& columns, const MetricStatistics& metric) {
   columns.n.push_back(metric.moments.n);
   columns.beyond.push_back(metric.beyond);
   columns.mean.push_back(metric.moments.mean);
@@ -44,7 +44,7 @@ void append(Columns& columns, const MetricStatistics& metric) {
   columns.histogram_offset.push_back(columns.histogram_count.size());
 }
 
-void append(Columns& columns, const Row& row, std::size_t events) {
+void append(RowColumns& columns, const Row& row, std::size_t events) {
   columns.cell.push_back(row.cell);
   columns.method.push_back(row.method);
   columns.first_block.push_back(row.first_block);
@@ -113,8 +113,8 @@ std::vector<std::uint32_t> bins_before_2(const hdf5::File& file, const Counts& o
   return bins;
 }
 
-Columns read_columns(const hdf5::File& file, const Schema& schema) {
-  Columns columns;
+RowColumns read_columns(const hdf5::File& file, const Schema& schema) {
+  RowColumns columns;
   const auto read = [&file](const char* name, auto& column, std::size_t size) {
     column = file.read<typename std::decay_t<decltype(column)>::value_type>(path_of(name));
     if (column.size() != size) fail(file, fmt::format("has {} values in {} instead of {}", column.size(), name, size));
@@ -146,7 +146,7 @@ std::vector<T> piece(const std::vector<T>& values, std::uint64_t begin, std::uin
   return {at(begin), at(end)};
 }
 
-MetricStatistics metric_at(const Columns& columns, std::size_t i) {
+MetricStatistics metric_at(const RowColumns& columns, std::size_t i) {
   MetricStatistics metric;
   metric.moments = {columns.n[i], columns.mean[i], columns.m2[i], columns.m3[i], columns.m4[i]};
   metric.beyond = columns.beyond[i];
@@ -161,7 +161,7 @@ MetricStatistics metric_at(const Columns& columns, std::size_t i) {
   return metric;
 }
 
-Row row_at(const hdf5::File& file, const Columns& columns, const Header& header, std::size_t r) {
+Row row_at(const hdf5::File& file, const RowColumns& columns, const Header& header, std::size_t r) {
   Row row{columns.cell[r], columns.method[r], columns.first_block[r], columns.blocks[r], {}, {}};
   if (row.cell >= header.cells.size() || row.method >= header.methods.size())
     fail(file, "has a row of an unknown cell or method");
@@ -177,7 +177,7 @@ Row row_at(const hdf5::File& file, const Columns& columns, const Header& header,
 }  // namespace
 
 void write_ledger(hdf5::File& file, const Ledger& ledger, const Schema& schema) {
-  Columns columns;
+  RowColumns columns;
   for (const Row& row : ledger.rows()) append(columns, row, schema.events.size());
 
   const std::uint64_t rows = ledger.size();
@@ -201,7 +201,7 @@ void write_ledger(hdf5::File& file, const Ledger& ledger, const Schema& schema) 
 }
 
 Ledger read_ledger(const hdf5::File& file, const Header& header) {
-  const Columns columns = read_columns(file, header.schema);
+  const RowColumns columns = read_columns(file, header.schema);
   Ledger ledger(header.block_trials);
   try {
     for (std::size_t r = 0; r < columns.cell.size(); ++r) ledger.insert(row_at(file, columns, header, r));

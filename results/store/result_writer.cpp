@@ -13,6 +13,7 @@
 #include "results/store/parts_folder.hpp"
 #include "results/store/result_file.hpp"
 #include "results/store/result_seal.hpp"
+#include "results/util/file_system.hpp"
 
 namespace ridgeloc::results {
 namespace {
@@ -28,11 +29,6 @@ constexpr std::chrono::seconds part_age{5};
 /// When so many parts are small, they become one, so that a run of days does not leave a file for every few seconds.
 constexpr std::size_t most_small_parts = 64;
 constexpr std::uintmax_t small_part_bytes = std::uintmax_t{1} << 20;
-
-bool is_there(const fs::path& path) {
-  std::error_code unknown;
-  return fs::exists(path, unknown);
-}
 
 }  // namespace
 
@@ -68,7 +64,7 @@ Part ResultWriter::new_part() const {
 }
 
 void ResultWriter::adopt_result() {
-  has_result_ = is_there(path_);
+  has_result_ = path_exists(path_);
   if (!has_result_) return;
   mark_present(read_result_blocks(path_, header_));
   is_same_study_ = read_result_header(path_).study_toml == header_.study_toml;
@@ -246,7 +242,7 @@ void ResultWriter::seal(const Provenance& provenance) {
   flush();
   const std::lock_guard lock(parts_mutex_);
   // A merge does not hold the lock, and what it has written here would be lost.
-  if (!has_result_ && is_there(path_))
+  if (!has_result_ && path_exists(path_))
     throw core::IoError(fmt::format("{} has appeared while the study ran, and is not replaced", path_.string()));
   BlockUnion blocks(header_);
   if (has_result_) blocks.add(read_result_blocks(path_, header_));

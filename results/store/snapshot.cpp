@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <ranges>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "results/store/part.hpp"
 #include "results/store/parts_folder.hpp"
 #include "results/store/result_file.hpp"
+#include "results/util/file_system.hpp"
 
 namespace ridgeloc::results {
 namespace {
@@ -23,11 +23,6 @@ namespace fs = std::filesystem;
 /// A run has united parts into one, or sealed them, while they were read.
 struct Vanished {};
 
-bool is_there(const fs::path& path) {
-  std::error_code unknown;
-  return fs::exists(path, unknown);
-}
-
 /// What `read` returns of a part; none if the part is damaged. Throws Vanished.
 template <typename Read>
 auto read_if_intact(const fs::path& part, Read&& read) {
@@ -35,7 +30,7 @@ auto read_if_intact(const fs::path& part, Read&& read) {
   try {
     content = read(part);
   } catch (const core::IoError&) {
-    if (!is_there(part)) throw Vanished();
+    if (!path_exists(part)) throw Vanished();
   }
   return content;
 }
@@ -70,14 +65,14 @@ std::optional<Snapshot> united(const fs::path& path, bool with_result) {
 }
 
 Snapshot taken(const fs::path& path, SnapshotOf of) {
-  const bool has_result = is_there(path);
+  const bool has_result = path_exists(path);
   if (has_result && of == SnapshotOf::Result) return read_sealed(path);
   if (auto snapshot = united(path, has_result)) {
     // Parts that were sealed and removed before they were listed are in the result.
-    if (!has_result && is_there(path)) throw Vanished();
+    if (!has_result && path_exists(path)) throw Vanished();
     return std::move(*snapshot);
   }
-  if (!is_there(path) && is_there(parts_folder(path)))
+  if (!path_exists(path) && path_exists(parts_folder(path)))
     throw core::InputError(fmt::format(
         "{} is not there yet, and {} holds no finished block; look again when the run has gone on for some seconds",
         path.string(), parts_folder(path).string()));

@@ -16,13 +16,11 @@
 namespace ridgeloc::results {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// Fewer say nothing of a correlation.
 constexpr std::uint64_t fewest_paired = 10;
 
 struct Correlation {
-  double value = nan;
+  double value = undefined_value;
   std::uint64_t trials = 0;
 };
 
@@ -57,7 +55,7 @@ Correlation correlation_of(const TrialTable& a, const TrialTable& b, std::size_t
 }
 
 Estimate difference_of_means(const Moments& a, const Moments& b, double covariance) {
-  if (a.n < 2 || b.n < 2) return {nan, nan, nan, nan};
+  if (a.n < 2 || b.n < 2) return {undefined_value, undefined_value, undefined_value, undefined_value};
   const double variance = std::pow(mean_standard_error(a), 2) + std::pow(mean_standard_error(b), 2) - 2.0 * covariance;
   // Zero in theory where the two differ by a constant; rounding may put it below.
   const double error = std::sqrt(std::max(variance, 0.0));
@@ -143,7 +141,7 @@ std::vector<CellComparison> compare_cells(const Summary& summary, const AxisValu
     const auto against = base_of(header, cell, base);
     if (!against) continue;
     for (std::size_t method = 0; method < header.methods.size(); ++method) {
-      compare(summary, {cell, *against, method, 0, 0, 0, {}, {}, nan, 0, false}, trials(cell, method),
+      compare(summary, {cell, *against, method, 0, 0, 0, {}, {}, undefined_value, 0, false}, trials(cell, method),
               trials(*against, method), comparisons);
     }
   }

@@ -40,6 +40,15 @@ double leading_number(const SummaryRow& row, const Measure& measure) {
   return measure.lead == Measure::Lead::Median ? row.p50 : row.mean;
 }
 
+/// Whether the median of `a` is below that of `b` by more than z times what the standard error of their difference is
+/// at most, the sum of those that their intervals stand for. Fewer trials say little of intervals wider than these.
+bool has_smaller_median(const SummaryRow& a, const SummaryRow& b, double z) {
+  constexpr std::uint64_t fewest_trials = 100;
+  const double unit = two_sided_quantile(0.05);
+  const double error = (a.p50_hi - a.p50) / unit + (b.p50 - b.p50_lo) / unit;
+  return std::min(a.n, b.n) >= fewest_trials && b.p50 - a.p50 > z * error;
+}
+
 /// A difference of two means and what its standard error is at most.
 struct Difference {
   double mean = 0.0;
@@ -129,13 +138,16 @@ std::optional<Ranking> ranking_of(const Summary& summary, std::size_t cell, cons
   if (candidates.size() < 2) return std::nullopt;
   const auto best = std::ranges::min_element(numbers) - numbers.begin();
   Ranking result{candidates[static_cast<std::size_t>(best)], {}};
-  const double z = two_sided_quantile(0.05 / static_cast<double>(candidates.size() - 1));
+  const bool by_medians = measure.lead == Measure::Lead::Median;
+  const double looks = static_cast<double>(candidates.size() - 1) * (by_medians ? 2.0 : 1.0);
+  const double z = two_sided_quantile(0.05 / looks);
   for (const std::size_t other : candidates) {
     if (other == result.best) continue;
     const Difference difference = ranking.difference(result.best, other);
     const double t = difference.n < 2 ? 0.0 : student_quantile(z, difference.n - 1);
-    const bool is_worse = difference.n >= 2 && difference.mean + t * difference.error < 0.0;
-    if (!is_worse) result.rivals.push_back(other);
+    const bool has_larger_mean = difference.n >= 2 && difference.mean + t * difference.error < 0.0;
+    const bool has_larger_median = by_medians && has_smaller_median(ranking.row(result.best), ranking.row(other), z);
+    if (!has_larger_mean && !has_larger_median) result.rivals.push_back(other);
   }
   return result;
 }

@@ -32,6 +32,10 @@ struct Ranking {
 /// confidence of 1 - 0.05 / k, k the number of others (Bonferroni), and reliable. Where the two are not compared with
 /// each other, the standard error of the difference of the means a and b is taken as s(a) + s(b), or, if that is less
 /// and both are compared with c, as s(a - c) + s(b - c): what it is at most, however the trials go together.
+///
+/// Where the leading number is the median, means may be of no use, and the best one is also better than another whose
+/// median is larger by that measure: the standard errors that the two 95 % intervals stand for, added. Each of the two
+/// looks then has half of the chance to be wrong.
 std::optional<Ranking> ranking_of(const Summary& summary, std::size_t cell, const std::vector<std::size_t>& methods,
                                   const Measure& measure);
 

@@ -10,8 +10,6 @@
 namespace ridgeloc::results {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 double squared_error(const Moments& moments) {
   const double error = mean_standard_error(moments);
   return error * error;
@@ -26,7 +24,7 @@ double most_of_others(const MetricStatistics& metric, std::uint64_t some) {
 }  // namespace
 
 Estimate ratio_of_means(const Moments& a, const Moments& b, double covariance) {
-  if (a.n < 2 || b.n < 2 || b.mean == 0.0) return {nan, nan, nan, nan};
+  if (a.n < 2 || b.n < 2 || b.mean == 0.0) return {undefined_value, undefined_value, undefined_value, undefined_value};
   const double ratio = a.mean / b.mean;
   const double variance = squared_error(a) + ratio * ratio * squared_error(b) - 2.0 * ratio * covariance;
   // Zero in theory where a is a multiple of b; rounding may put it below.

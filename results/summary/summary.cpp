@@ -11,8 +11,6 @@
 namespace ridgeloc::results {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// Below this a standard error is too uncertain, and Wilson's interval of a rare event too lopsided, to be a
 /// bar.
 constexpr std::uint64_t fewest_trusted = 10;
@@ -38,7 +36,7 @@ SummaryRow blank_row(std::size_t cell, std::size_t method, std::string metric, s
   for (double* field : {&row.mean, &row.mcse, &row.lo,       &row.hi,     &row.sd,     &row.sd_mcse, &row.min,
                         &row.p05,  &row.p25,  &row.p50,      &row.p75,    &row.p95,    &row.p50_lo,  &row.p50_hi,
                         &row.max,  &row.rms,  &row.rms_mcse, &row.rms_lo, &row.rms_hi, &row.p95_lo,  &row.p95_hi}) {
-    *field = nan;
+    *field = undefined_value;
   }
   return row;
 }
@@ -87,7 +85,7 @@ void fill_quantiles(SummaryRow& row, const MetricInfo& info, const MetricStatist
   // Within a bin a quantile is interpolated; of counts only the whole number in the bin can be meant.
   const auto within = [&](double value) {
     // Results before version 2.0 do not tell finite values from 2^20 on from infinite ones.
-    if (std::isinf(value) && std::isfinite(metric.max)) return nan;
+    if (std::isinf(value) && std::isfinite(metric.max)) return undefined_value;
     // The upper edge of a bin is not in it: at a full share the largest whole number below is meant.
     const double whole = std::floor(std::nextafter(value, 0.0));
     return std::clamp(info.whole_numbers ? whole : value, metric.min, metric.max);

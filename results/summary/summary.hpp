@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,8 +12,11 @@
 
 namespace ridgeloc::results {
 
+/// Stands where a quantity is not defined.
+inline constexpr double undefined_value = std::numeric_limits<double>::quiet_NaN();
+
 /// One metric or event of one method in one cell, with its error. Events, and metrics that are yes or no,
-/// have unit "1" and their rate as mean. NaN stands where a quantity is not defined.
+/// have unit "1" and their rate as mean.
 struct SummaryRow {
   std::size_t cell = 0;
   std::size_t method = 0;

@@ -74,6 +74,11 @@ fs::path create_alone(const fs::path& beside) {
 
 }  // namespace
 
+bool path_exists(const fs::path& path) {
+  std::error_code unknown;
+  return fs::exists(path, unknown);
+}
+
 void require_writable(const fs::path& file) {
   const fs::path folder = folder_of(file);
   std::error_code error;

@@ -6,6 +6,9 @@
 
 namespace ridgeloc::results {
 
+/// Whether a file or folder of that name is there; a name that cannot be asked for counts as absent.
+bool path_exists(const std::filesystem::path& path);
+
 /// Checks that a file of this name can be written, and leaves nothing behind.
 /// Throws core::InputError that says why not and what to do.
 void require_writable(const std::filesystem::path& file);

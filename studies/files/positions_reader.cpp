@@ -29,7 +29,7 @@ Place place_of_list(const toml::node& node, const std::string& label) {
   return place;
 }
 
-std::vector<Place> from_file(const toml::table& table, const std::string& label) {
+std::vector<Place> places_in_file(const toml::table& table, const std::string& label) {
   check_keys(table, label, {"file", "columns"});
   std::vector<std::string> columns = {"x_m", "y_m", "z_m"};
   if (const toml::node* node = table.get("columns")) {
@@ -58,7 +58,7 @@ Positions read_positions(const toml::node& node, const Setting& setting, const s
     for (const toml::node& element : *list)
       places.push_back(place_of_list(element, fmt::format("{}[{}]", label, places.size())));
   } else {
-    places = from_file(*table, label);
+    places = places_in_file(*table, label);
     if (places.empty()) fail_at(node, fmt::format("{}: the file has no row", label));
   }
   if (places.size() > most_positions)

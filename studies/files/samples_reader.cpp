@@ -25,7 +25,7 @@ std::vector<double> listed(const toml::array& list, const std::string& label) {
   return values;
 }
 
-std::vector<double> from_file(const toml::table& table, const std::string& label) {
+std::vector<double> samples_in_file(const toml::table& table, const std::string& label) {
   check_keys(table, label, {"file", "column"});
   const toml::node* node = table.get("column");
   if (node == nullptr) fail_at(table, fmt::format("{} lacks column; give {{ file = ..., column = ... }}", label));
@@ -41,7 +41,7 @@ Samples read_samples(const toml::node& node, const Setting& setting, const std::
   if (list == nullptr && table == nullptr) {
     fail_at(node, fmt::format("{} = {} is not allowed: {} takes {}", label, text_of(node), label, accepted(setting)));
   }
-  std::vector<double> values = list != nullptr ? listed(*list, label) : from_file(*table, label);
+  std::vector<double> values = list != nullptr ? listed(*list, label) : samples_in_file(*table, label);
   if (list != nullptr && values.empty()) return {};
   if (values.size() < fewest_samples || values.size() > most_samples) {
     fail_at(node, values.size() < fewest_samples

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/contains.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace ridgeloc::tests {
@@ -39,7 +40,6 @@ struct WithStudy : WorkingFolder {
   explicit WithStudy(const std::string& toml) { write("s.toml", toml); }
 };
 
-bool contains(const std::string& text, const std::string& piece);
 std::size_t line_count(const std::string& text);
 
 }  // namespace ridgeloc::tests

@@ -11,6 +11,7 @@
 #include "results/statistics/interval.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/message_of.hpp"
+#include "tests/support/numbers.hpp"
 #include "tests/support/synthetic_summary.hpp"
 
 namespace {
@@ -18,8 +19,7 @@ namespace {
 using namespace ridgeloc;
 using namespace ridgeloc::results;
 using Kind = FigureNames::Kind;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using tests::infinity;
 
 Histogram histogram_of(const std::vector<double>& values) {
   Histogram histogram;

@@ -12,16 +12,18 @@
 #include "results/pictures/drawing_script.hpp"
 #include "results/pictures/gnuplot.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/contains.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace {
 
 using namespace ridgeloc;
 using namespace ridgeloc::results;
+using tests::contains;
 namespace fs = std::filesystem;
 
 /// A window of 10 x 10 with a path that stays, one that leaves, two places with texts, and contours.
-Drawing sample() {
+Drawing sample_drawing() {
   Drawing drawing;
   drawing.title = "it's a scene";
   drawing.x_label = "x [m]";
@@ -36,10 +38,6 @@ Drawing sample() {
   return drawing;
 }
 
-bool contains(const std::string& text, const std::string& piece) {
-  return text.find(piece) != std::string::npos;
-}
-
 TEST_CASE("a window is widened to the proportions of a picture, about its middle") {
   const DrawingWindow tall = fitted({{0.0, 1.0}, {0.0, 11.0}});
   CHECK(tall.x.low == Approx(-4.5));
@@ -51,7 +49,7 @@ TEST_CASE("a window is widened to the proportions of a picture, about its middle
 }
 
 TEST_CASE("a path is cut off where it leaves the window") {
-  const Drawing d = sample();
+  const Drawing d = sample_drawing();
   const VisiblePath stays = visible(d.paths[0], d.window);
   REQUIRE(stays.pieces.size() == 1);
   CHECK(stays.pieces[0].size() == 3);
@@ -86,12 +84,12 @@ TEST_CASE("a path that comes back, crosses or never enters is drawn as far as it
 }
 
 TEST_CASE("both axes of a picture have one scale") {
-  const DrawingLayout layout = drawing_layout(sample());
+  const DrawingLayout layout = drawing_layout(sample_drawing());
   CHECK(layout.bottom - layout.top == Approx(layout.right - layout.left));
 }
 
 TEST_CASE("texts stand beside their points without covering each other") {
-  const DrawingLayout layout = drawing_layout(sample());
+  const DrawingLayout layout = drawing_layout(sample_drawing());
   REQUIRE(layout.texts.size() == 2);
   const PlacedText& first = layout.texts[0];
   const PlacedText& second = layout.texts[1];
@@ -103,7 +101,7 @@ TEST_CASE("texts stand beside their points without covering each other") {
 }
 
 TEST_CASE("the script of a picture holds its lines, marks, contours and texts") {
-  const std::string script = drawing_script(sample(), FigureFormat::Svg, "out.svg");
+  const std::string script = drawing_script(sample_drawing(), FigureFormat::Svg, "out.svg");
   CHECK(contains(script, "set output " + gnuplot_string("out.svg")));
   for (const char* text : {"it's a scene", "stays: converged", "minimum"})
     CHECK(contains(script, gnuplot_string(text)));
@@ -117,7 +115,7 @@ TEST_CASE("the script of a picture holds its lines, marks, contours and texts") 
   // The end of the first is filled, the diamond has its colour.
   CHECK(contains(script, "$path0_end using 1:2 with points pt 7 ps 0.9 lw 1.2 lc rgb '#0072b2'"));
   CHECK(contains(script, "$place1_0 using 1:2 with points pt 12 ps 1.6 lw 1 lc rgb '#0072b2'"));
-  Drawing plain = sample();
+  Drawing plain = sample_drawing();
   plain.contours.reset();
   CHECK_FALSE(contains(drawing_script(plain, FigureFormat::Svg, "out.svg"), "contour"));
 }
@@ -126,14 +124,14 @@ TEST_CASE("a picture is drawn in all three formats, an empty one too") {
   const tests::ScratchFolder folder;
   Drawing empty;
   for (const char* name : {"a.svg", "a.pdf", "a.png"}) {
-    draw(sample(), folder / name);
+    draw(sample_drawing(), folder / name);
     draw(empty, folder / (std::string("empty_") + name));
   }
   std::ifstream in(folder / "a.svg");
   const std::string svg{std::istreambuf_iterator<char>(in), {}};
   CHECK(contains(svg, "it's a scene"));
   CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 6);
-  CHECK_THROWS_AS(draw(sample(), folder / "a.jpg"), core::InputError);
+  CHECK_THROWS_AS(draw(sample_drawing(), folder / "a.jpg"), core::InputError);
 }
 
 }  // namespace

@@ -9,15 +9,17 @@
 #include "results/pictures/floor_plan_script.hpp"
 #include "results/pictures/gnuplot.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/contains.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace {
 
 using namespace ridgeloc;
 using namespace ridgeloc::results;
+using tests::contains;
 
 /// A room of 10 x 5 with a panel of places and one of tiles; one place of each lies outside of the window.
-FloorPlan sample() {
+FloorPlan sample_plan() {
   FloorPlan plan;
   plan.title = "it's a floor";
   plan.window = {{0.0, 10.0}, {0.0, 5.0}};
@@ -32,17 +34,13 @@ FloorPlan sample() {
 }
 
 std::string script() {
-  return floor_plan_script(sample(), FigureFormat::Svg, "out.svg");
+  return floor_plan_script(sample_plan(), FigureFormat::Svg, "out.svg");
 }
 
 std::size_t count(const std::string& text, const std::string& piece) {
   std::size_t n = 0;
   for (auto at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) ++n;
   return n;
-}
-
-bool contains(const std::string& text, const std::string& piece) {
-  return count(text, piece) > 0;
 }
 
 }  // namespace
@@ -87,7 +85,7 @@ TEST_CASE("keys stand beside samples of their marks") {
 
 TEST_CASE("a floor plan is drawn in all three formats, whatever lies outside of its window") {
   const tests::ScratchFolder folder;
-  for (const char* name : {"a.svg", "a.pdf", "a.png"}) draw(sample(), folder / name);
+  for (const char* name : {"a.svg", "a.pdf", "a.png"}) draw(sample_plan(), folder / name);
   const auto text_of = [&](const char* name) {
     std::ifstream in(folder / name, std::ios::binary);
     return std::string{std::istreambuf_iterator<char>(in), {}};
@@ -99,13 +97,13 @@ TEST_CASE("a floor plan is drawn in all three formats, whatever lies outside of 
   }
   CHECK(text_of("a.png").starts_with("\x89PNG"));
   CHECK(text_of("a.pdf").starts_with("%PDF"));
-  FloorPlan bare = sample();
+  FloorPlan bare = sample_plan();
   bare.keys.clear();
   bare.panels.resize(1);
   bare.panels[0].places.clear();
   draw(bare, folder / "bare.svg");
   CHECK(contains(text_of("bare.svg"), "first"));
-  CHECK_THROWS_AS(draw(sample(), folder / "a.jpg"), core::InputError);
+  CHECK_THROWS_AS(draw(sample_plan(), folder / "a.jpg"), core::InputError);
   bare.panels.clear();
   CHECK_THROWS_AS(draw(bare, folder / "none.svg"), std::invalid_argument);
 }

@@ -16,18 +16,16 @@
 #include "results/util/digest.hpp"
 #include "results/util/shell.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/contains.hpp"
 #include "tests/support/sample_result.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/synthetic_summary.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::results;
+using tests::contains;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& piece) {
-  return text.find(piece) != std::string::npos;
-}
 
 std::size_t count(const std::string& text, const std::string& piece) {
   std::size_t found = 0;

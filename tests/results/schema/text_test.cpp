@@ -4,14 +4,14 @@
 #include <limits>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/numbers.hpp"
 #include "tests/support/synthetic_summary.hpp"
 
 namespace {
 
 using namespace ridgeloc::results;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using ridgeloc::tests::infinity;
+using ridgeloc::tests::not_a_number;
 
 TEST_CASE("factor values and cells as people write them") {
   CHECK(factor_text(std::int64_t{3}) == "3");
@@ -30,7 +30,7 @@ TEST_CASE("counts agree with their noun") {
 TEST_CASE("exact text reads back as the same bits") {
   for (const double value : {0.1, 1.0 / 3.0, 1e300, 5e-324, -2.5})
     CHECK(std::strtod(exact_text(value).c_str(), nullptr) == value);
-  CHECK(exact_text(-nan) == "nan");
+  CHECK(exact_text(-not_a_number) == "nan");
   CHECK(exact_text(infinity) == "inf");
   CHECK(exact_text(-infinity) == "-inf");
 }
@@ -46,8 +46,8 @@ TEST_CASE("a value is rounded to the second digit of its error") {
 
 TEST_CASE("errors that are zero, unknown or infinite are said") {
   CHECK(text_with_error(2.5, 0.0) == "2.5 ± 0");
-  CHECK(text_with_error(2.5, nan) == "2.5 ± ?");
-  CHECK(text_with_error(nan, nan) == "-");
+  CHECK(text_with_error(2.5, not_a_number) == "2.5 ± ?");
+  CHECK(text_with_error(not_a_number, not_a_number) == "-");
   CHECK(text_with_error(2.5, infinity) == "2.5 ± inf");
 }
 
@@ -57,17 +57,17 @@ TEST_CASE("an error in units of the last digit") {
   CHECK(text_with_digits(1234.4, 56.0) == "1234(56)");
   CHECK(text_with_digits(1.352e-9, 1.2e-11) == "1.352(12)e-09");
   CHECK(text_with_digits(2.5, 0.0) == "2.5");
-  CHECK(text_with_digits(2.5, nan) == "2.5(?)");
+  CHECK(text_with_digits(2.5, not_a_number) == "2.5(?)");
   CHECK(text_with_digits(2.5, infinity) == "2.5(inf)");
   CHECK(text_with_digits(infinity, infinity) == "inf");
-  CHECK(text_with_digits(nan, 0.1) == "-");
+  CHECK(text_with_digits(not_a_number, 0.1) == "-");
 }
 
 TEST_CASE("a value with its interval") {
   CHECK(text_with_interval(0.97, 0.9152, 0.9897) == "0.970 [0.915, 0.990]");
   CHECK(text_with_interval(2.0, 2.0, 2.0) == "2 [2, 2]");
   CHECK(text_with_interval(3.0, 1.5, infinity) == "3 [1.5, inf]");
-  CHECK(text_with_interval(nan, nan, nan) == "-");
+  CHECK(text_with_interval(not_a_number, not_a_number, not_a_number) == "-");
 }
 
 TEST_CASE("display width counts characters, not bytes") {

@@ -10,14 +10,15 @@
 #include <vector>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace {
 
 using namespace ridgeloc::results;
+using ridgeloc::tests::infinity;
+using ridgeloc::tests::not_a_number;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest = std::numeric_limits<double>::max();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Histogram histogram_of(const std::vector<double>& values) {
   Histogram histogram;
@@ -49,7 +50,7 @@ TEST_CASE("zero, negative and infinite values fall into the end bins, all others
 TEST_CASE("adding counts every value in its bin, whatever lies beside it") {
   std::mt19937_64 engine(5);
   std::uniform_real_distribution<double> decades(-300.0, 300.0);
-  const std::vector<double> ends = {0.0, -1.0, 5e-324, infinity, -infinity, largest, nan, -nan};
+  const std::vector<double> ends = {0.0, -1.0, 5e-324, infinity, -infinity, largest, not_a_number, -not_a_number};
   for (const std::size_t with : {std::size_t{0}, std::size_t{3}, ends.size()}) {
     std::vector<double> values(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(with));
     for (int i = 0; i < 3001; ++i) values.push_back(std::pow(10.0, decades(engine)));
@@ -71,8 +72,8 @@ TEST_CASE("the integers 1 to 64 have bins of their own") {
 }
 
 TEST_CASE("NaN is not counted, of either sign") {
-  CHECK(histogram_of({nan, -nan}) == Histogram{});
-  CHECK(histogram_of({1.0, nan, infinity, -nan}).total() == 2);
+  CHECK(histogram_of({not_a_number, -not_a_number}) == Histogram{});
+  CHECK(histogram_of({1.0, not_a_number, infinity, -not_a_number}).total() == 2);
 }
 
 TEST_CASE("only bins in use are kept") {

@@ -12,15 +12,15 @@
 #include "results/statistics/extremes.hpp"
 #include "results/statistics/statistics.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/numbers.hpp"
 #include "tests/support/same_bits.hpp"
 
 namespace {
 
 using namespace ridgeloc;
 using namespace ridgeloc::results;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using tests::infinity;
+using tests::not_a_number;
 
 using Accumulators = std::array<double, 8>;
 
@@ -108,8 +108,8 @@ const std::vector<double> special = {
     -1e300,
     infinity,
     -infinity,
-    nan,
-    -nan,
+    not_a_number,
+    -not_a_number,
     std::bit_cast<double>(std::uint64_t{0x7ff0000000000001}),  // its upper half is that of infinity
     std::bit_cast<double>(std::uint64_t{0xfff0000000000001}),
     largest_moment_value,
@@ -132,9 +132,9 @@ std::vector<std::vector<double>> columns(std::size_t n) {
     columns[0][i] = error(engine);
     columns[1][i] = signed_error(engine);
     columns[2][i] = iterations(engine);
-    columns[3][i] = engine() % 2 == 0 ? error(engine) : nan;
+    columns[3][i] = engine() % 2 == 0 ? error(engine) : not_a_number;
     columns[4][i] = 0.1;
-    columns[5][i] = nan;
+    columns[5][i] = not_a_number;
     columns[6][i] = special[engine() % special.size()];
     columns[7][i] = std::bit_cast<double>(engine());
   }

@@ -5,17 +5,18 @@
 #include <vector>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/numbers.hpp"
 #include "tests/support/synthetic_summary.hpp"
 
 namespace {
 
 using namespace ridgeloc::results;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using ridgeloc::tests::infinity;
+using ridgeloc::tests::not_a_number;
 
 TEST_CASE("statistics separate the population, the moments and what lies beyond") {
-  const MetricStatistics statistics = statistics_of(std::vector{nan, 2.0, infinity, 1.0, 2e6, 3.0, nan, 3.0, 3.0, 0.5});
+  const MetricStatistics statistics =
+      statistics_of(std::vector{not_a_number, 2.0, infinity, 1.0, 2e6, 3.0, not_a_number, 3.0, 3.0, 0.5});
   CHECK(statistics.moments.n == 6);
   CHECK(statistics.beyond == 2);
   CHECK(statistics.histogram.total() == 8);
@@ -24,7 +25,7 @@ TEST_CASE("statistics separate the population, the moments and what lies beyond"
 }
 
 TEST_CASE("statistics of an empty population keep the neutral extremes") {
-  CHECK(statistics_of(std::vector{nan, nan}) == MetricStatistics{});
+  CHECK(statistics_of(std::vector{not_a_number, not_a_number}) == MetricStatistics{});
   const MetricStatistics some = statistics_of(std::vector{1.0, 2.0});
   CHECK(merge(some, MetricStatistics{}) == some);
   CHECK(merge(MetricStatistics{}, some) == some);

@@ -8,13 +8,13 @@
 
 #include "results/statistics/interval.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/numbers.hpp"
 #include "tests/support/synthetic_summary.hpp"
 
 namespace {
 
 using namespace ridgeloc::results;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using ridgeloc::tests::infinity;
 
 const SummaryRow& row_of(const std::vector<SummaryRow>& rows, std::size_t cell, std::size_t method,
                          std::string_view metric) {
@@ -185,13 +185,15 @@ TEST_CASE("a metric with negative values has a mean but no quantiles") {
 
 TEST_CASE("what a method reports nowhere is left out; an empty population here stays as n = 0") {
   Summary summary = synthetic_summary();
-  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t cell = 0; cell < 4; ++cell) {
     Statistics& silent = summary.statistics[2 * cell];  // method rr
-    silent.metrics[0] = statistics_of(std::vector{nan, nan, nan, nan, nan});
+    silent.metrics[0] =
+        statistics_of(std::vector{not_a_number, not_a_number, not_a_number, not_a_number, not_a_number});
     silent.events.clear();
   }
-  summary.statistics[1].metrics[0] = statistics_of(std::vector{nan, nan, nan, nan, nan});  // cell 0, method rrr
+  summary.statistics[1].metrics[0] = statistics_of(
+      std::vector{not_a_number, not_a_number, not_a_number, not_a_number, not_a_number});  // cell 0, method rrr
   const std::vector<SummaryRow> rows = summary_rows(summary);
   CHECK(rows.size() == 4 * (1 + 5));
   const SummaryRow& empty = row_of(rows, 0, 1, "error_m");

@@ -4,15 +4,13 @@
 
 #include "results/schema/text.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/contains.hpp"
 #include "tests/support/synthetic_summary.hpp"
 
 namespace {
 
 using namespace ridgeloc::results;
-
-bool contains(const std::string& text, const std::string& piece) {
-  return text.find(piece) != std::string::npos;
-}
+using ridgeloc::tests::contains;
 
 std::size_t widest_line(const std::string& text) {
   std::istringstream lines(text);

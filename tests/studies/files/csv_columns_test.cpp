@@ -33,7 +33,7 @@ std::vector<double> column(const std::string& text, const std::string& name, std
 }
 
 /// The message without the path in front.
-std::string error_of(const std::string& text, const std::string& name) {
+std::string csv_error_of(const std::string& text, const std::string& name) {
   const File file(text);
   const std::string message = tests::refusal_of([&] { studies::read_csv_columns(file.path(), {name}, 100); });
   if (message.empty()) return "";
@@ -60,23 +60,24 @@ TEST_CASE("a CSV file with semicolons has decimal commas or points") {
   const std::vector<double> expected = {0.1, -0.25, 3.0};
   CHECK(column("e_m;x_m\n0,1;2\n-0,25;3\n3;4\n", "e_m") == expected);
   CHECK(column("\xef\xbb\xbf\"id\";e_m\r\n1;0,1\r\n2;-2,5e-1\r\n3;3.0\r\n", "e_m") == expected);
-  CHECK(error_of("e_m;x_m\n1.234,5;2\n", "e_m") == ":2: \"1.234,5\" in column \"e_m\" is not a number");
+  CHECK(csv_error_of("e_m;x_m\n1.234,5;2\n", "e_m") == ":2: \"1.234,5\" in column \"e_m\" is not a number");
   CHECK(column("e_m,x;y\n1,0;2\n", "e_m") == std::vector<double>{1.0});
 }
 
 TEST_CASE("what is wrong in a CSV file is named with its line") {
-  CHECK(error_of("id,e_m\n1,2\n", "em") == ":1: no column \"em\" (did you mean \"e_m\"?)");
-  CHECK(error_of("id,e_m\n1,2\n", "residual") == ":1: no column \"residual\" (there are: id, e_m)");
-  CHECK(error_of("", "e_m").starts_with(":1: no column \"e_m\""));
-  CHECK(error_of("id,e_m\n1,2\n\n2,3 m\n", "e_m") == ":4: \"3 m\" in column \"e_m\" is not a number");
-  CHECK(error_of("id,e_m\n\"a\nb\",2\n2,\n", "e_m") == ":4: \"\" in column \"e_m\" is not a number");
-  CHECK(error_of("id,e_m\n1\n", "e_m") == ":2: \"\" in column \"e_m\" is not a number");
-  CHECK(error_of("e_m\nnan\n", "e_m") == ":2: \"nan\" in column \"e_m\" is not a number");
-  CHECK(error_of("e_m\n1e999\n", "e_m") == ":2: \"1e999\" in column \"e_m\" is not a number");
+  CHECK(csv_error_of("id,e_m\n1,2\n", "em") == ":1: no column \"em\" (did you mean \"e_m\"?)");
+  CHECK(csv_error_of("id,e_m\n1,2\n", "residual") == ":1: no column \"residual\" (there are: id, e_m)");
+  CHECK(csv_error_of("", "e_m").starts_with(":1: no column \"e_m\""));
+  CHECK(csv_error_of("id,e_m\n1,2\n\n2,3 m\n", "e_m") == ":4: \"3 m\" in column \"e_m\" is not a number");
+  CHECK(csv_error_of("id,e_m\n\"a\nb\",2\n2,\n", "e_m") == ":4: \"\" in column \"e_m\" is not a number");
+  CHECK(csv_error_of("id,e_m\n1\n", "e_m") == ":2: \"\" in column \"e_m\" is not a number");
+  CHECK(csv_error_of("e_m\nnan\n", "e_m") == ":2: \"nan\" in column \"e_m\" is not a number");
+  CHECK(csv_error_of("e_m\n1e999\n", "e_m") == ":2: \"1e999\" in column \"e_m\" is not a number");
 }
 
 TEST_CASE("a row with more cells than the first line is an error: decimal commas") {
-  CHECK(error_of("e\n1,5\n2,5\n", "e") == ":2: 2 cells where the first line names 1; is a comma the decimal point?");
+  CHECK(csv_error_of("e\n1,5\n2,5\n", "e") ==
+        ":2: 2 cells where the first line names 1; is a comma the decimal point?");
 }
 
 TEST_CASE("several columns are read in the order asked for") {
@@ -93,9 +94,9 @@ TEST_CASE("files of spreadsheets have semicolons or tabulators, and decimal comm
   CHECK(column("\"a,b\";e_m\n1;0,1\n", "e_m") == std::vector<double>{0.1});
   // A comma in the first line separates, and semicolons are then like other signs.
   CHECK(column("a;b,e_m\n1;2,0.1\n", "e_m") == std::vector<double>{0.1});
-  CHECK(error_of("e_m;x_m\n1.000,5;2\n", "e_m") == ":2: \"1.000,5\" in column \"e_m\" is not a number");
-  CHECK(error_of("e_m;x_m\n1,2,3;2\n", "e_m") == ":2: \"1,2,3\" in column \"e_m\" is not a number");
-  CHECK(error_of("e_m;x_m\n1;2;3\n", "e_m").starts_with(":2: 3 cells where the first line names 2"));
+  CHECK(csv_error_of("e_m;x_m\n1.000,5;2\n", "e_m") == ":2: \"1.000,5\" in column \"e_m\" is not a number");
+  CHECK(csv_error_of("e_m;x_m\n1,2,3;2\n", "e_m") == ":2: \"1,2,3\" in column \"e_m\" is not a number");
+  CHECK(csv_error_of("e_m;x_m\n1;2;3\n", "e_m").starts_with(":2: 3 cells where the first line names 2"));
 }
 
 TEST_CASE("a file that is not there is an error") {

@@ -16,7 +16,7 @@ using namespace ridgeloc::studies;
 
 namespace {
 
-const std::string valid = R"(name = "flat"
+const std::string valid_map = R"(name = "flat"
 [[area]]
 name = "corridor"
 x_m = [0, 10]
@@ -79,9 +79,9 @@ const sim::BuildingMap& map_of(const Study& study) {
   return std::get<Building>(study.fixed.at("map")).map();
 }
 
-/// `valid` with one piece replaced.
-std::string with(const std::string& piece, const std::string& replacement) {
-  std::string text = valid;
+/// `valid_map` with one piece replaced.
+std::string map_with(const std::string& piece, const std::string& replacement) {
+  std::string text = valid_map;
   const auto at = text.find(piece);
   REQUIRE(at != std::string::npos);
   return text.replace(at, piece.size(), replacement);
@@ -90,7 +90,7 @@ std::string with(const std::string& piece, const std::string& replacement) {
 }  // namespace
 
 TEST_CASE("a map is read from a file beside the study") {
-  const sim::BuildingMap map = map_of(MapFolder(valid).study(from_file));
+  const sim::BuildingMap map = map_of(MapFolder(valid_map).study(from_file));
   CHECK(map.name == "flat");
   REQUIRE(map.areas.size() == 2);
   CHECK(map.areas[0] == sim::Rectangle{"corridor", {0.0, 10.0}, {0.0, 2.0}});
@@ -107,7 +107,7 @@ TEST_CASE("a map is read from a file beside the study") {
 
 TEST_CASE("a map written in full reads back equal, also through a resolved study") {
   const std::string value = GENERATE(as<std::string>(), from_file, "{ random = 7, wings = 2, objects = 30 }");
-  const MapFolder folder(valid);
+  const MapFolder folder(valid_map);
   const Study study = folder.study(value);
   CHECK(map_of(folder.study(to_toml(study.fixed.at("map")))) == map_of(study));
   const std::string resolved = resolved_toml(study);
@@ -122,12 +122,12 @@ TEST_CASE("maps with awkward names and numbers read back equal") {
   map.areas = {{"", {-1e5, 1.0 / 3.0}, {0.1 + 0.2, 1e5}}};
   map.classes = {{"\xC3\xA9\t", 0.001, 1000.0, {}}};
   map.objects = {{"#1", 0, {0.0, 1.0 / 7.0 + 1.0, -1e-7}, 1.0 / 3.0, 1e3}};
-  const Study study = MapFolder(valid).study(to_toml(Building(map)));
+  const Study study = MapFolder(valid_map).study(to_toml(Building(map)));
   CHECK(map_of(study) == map);
 }
 
 TEST_CASE("a map that comes with the program is found by name and written as such") {
-  const Study study = MapFolder(valid).study("\"paper\"");
+  const Study study = MapFolder(valid_map).study("\"paper\"");
   const Building* paper = find_building("paper");
   REQUIRE(paper != nullptr);
   CHECK(map_of(study) == paper->map());
@@ -141,7 +141,7 @@ TEST_CASE("a map that comes with the program is found by name and written as suc
 }
 
 TEST_CASE("a random map is the one of its options") {
-  const MapFolder folder(valid);
+  const MapFolder folder(valid_map);
   CHECK(map_of(folder.study("{ random = 9 }")) == sim::random_building({.seed = 9}));
   CHECK(map_of(folder.study("{ random = 9, wings = 3, objects = 12 }")) ==
         sim::random_building({.seed = 9, .wings = 3, .objects = 12}));
@@ -149,48 +149,48 @@ TEST_CASE("a random map is the one of its options") {
 
 TEST_CASE("what is wrong with a map file is said in one line with its place") {
   const auto [text, message] = GENERATE(table<std::string, std::string>({
-      {with("x_m = [4, 6]\ny_m = [2, 8]", "x_m = [4, 6]\ny_m = [1.9, 8]"),
+      {map_with("x_m = [4, 6]\ny_m = [2, 8]", "x_m = [4, 6]\ny_m = [1.9, 8]"),
        "map.toml:6: area 2 overlaps area \"corridor\"; let areas touch along a border instead"},
-      {with("y_m = [2, 8]", "y_m = [8, 2]"),
+      {map_with("y_m = [2, 8]", "y_m = [8, 2]"),
        "map.toml:8: area 2: y_m = [8, 2] is not allowed: the second must be larger than the first, by 0.001 at least"},
-      {with("y_m = [2, 8]", "y_m = [2, 8, 9]"),
+      {map_with("y_m = [2, 8]", "y_m = [2, 8, 9]"),
        "map.toml:8: area 2: y_m = [ 2, 8, 9 ] is not allowed: it takes a list of 2 numbers from -100000 to 100000"},
-      {with("y_m = [2, 8]", "y_m = [2, nan]"), "map.toml:8: area 2: y_m = [ 2, nan ] is not allowed"},
-      {with("y_m = [2, 8]", "y_m = [2, 2e5]"), "map.toml:8: area 2: y_m"},
-      {with("y_m = [2, 8]", "y_m = 8"), "map.toml:8: area 2: y_m = 8 is not allowed"},
-      {with("y_m = [2, 8]", "y = [2, 8]"), "map.toml:8: unknown key \"y\" in [[area]] (did you mean \"y_m\"?)"},
-      {with("y_m = [2, 8]\n", ""), "map.toml:6: area 2 lacks y_m"},
-      {with("to_m = [3, 1]", "to_m = [3, \"1\"]"), "map.toml:15: wall 1: to_m = [ 3, '1' ] is not allowed"},
-      {with("to_m = [3, 1]", "to_m = [3, 0]"), "map.toml:13: wall 1 ends where it begins"},
-      {with("width_m = 0.9", "width_m = 0"),
+      {map_with("y_m = [2, 8]", "y_m = [2, nan]"), "map.toml:8: area 2: y_m = [ 2, nan ] is not allowed"},
+      {map_with("y_m = [2, 8]", "y_m = [2, 2e5]"), "map.toml:8: area 2: y_m"},
+      {map_with("y_m = [2, 8]", "y_m = 8"), "map.toml:8: area 2: y_m = 8 is not allowed"},
+      {map_with("y_m = [2, 8]", "y = [2, 8]"), "map.toml:8: unknown key \"y\" in [[area]] (did you mean \"y_m\"?)"},
+      {map_with("y_m = [2, 8]\n", ""), "map.toml:6: area 2 lacks y_m"},
+      {map_with("to_m = [3, 1]", "to_m = [3, \"1\"]"), "map.toml:15: wall 1: to_m = [ 3, '1' ] is not allowed"},
+      {map_with("to_m = [3, 1]", "to_m = [3, 0]"), "map.toml:13: wall 1 ends where it begins"},
+      {map_with("width_m = 0.9", "width_m = 0"),
        "map.toml:18: class \"door\": width_m = 0 is not allowed: it takes a number from 0.001 to 1000"},
-      {with("width_m = 0.9", "width_m = \"wide\""), "map.toml:18: class \"door\": width_m = 'wide' is not allowed"},
-      {with("width_m = 0.9\n", ""), "map.toml:16: class \"door\" lacks width_m"},
-      {with("recall = [0.9, 0.25]", "recall = [0.5, 1.25]"),
+      {map_with("width_m = 0.9", "width_m = \"wide\""), "map.toml:18: class \"door\": width_m = 'wide' is not allowed"},
+      {map_with("width_m = 0.9\n", ""), "map.toml:16: class \"door\" lacks width_m"},
+      {map_with("recall = [0.9, 0.25]", "recall = [0.5, 1.25]"),
        "map.toml:20: class \"door\": recall = [ 0.5, 1.25 ] is not allowed: it takes a list of 2 numbers from 0 to 1"},
-      {with("name = \"bin\"", "name = \"door\""), "map.toml:21: class \"door\" is there twice"},
-      {with("class = \"door\"", "class = \"dor\""),
+      {map_with("name = \"bin\"", "name = \"door\""), "map.toml:21: class \"door\" is there twice"},
+      {map_with("class = \"door\"", "class = \"dor\""),
        "map.toml:27: object \"front door\": unknown class \"dor\" (did you mean \"door\"?)"},
-      {with("at_m = [0, 1, 1.05]", "at_m = [-1, 1, 1.05]"),
+      {map_with("at_m = [0, 1, 1.05]", "at_m = [-1, 1, 1.05]"),
        "map.toml:25: object \"front door\" at [-1, 1] lies outside of every area"},
-      {with("at_m = [0, 1, 1.05]", "at_m = [8.5, 2.1, 1.05]"), "lies outside of every area"},
-      {with("at_m = [0, 1, 1.05]", "at_m = [0, 1]"),
+      {map_with("at_m = [0, 1, 1.05]", "at_m = [8.5, 2.1, 1.05]"), "lies outside of every area"},
+      {map_with("at_m = [0, 1, 1.05]", "at_m = [0, 1]"),
        "map.toml:28: object \"front door\": at_m = [ 0, 1 ] is not allowed"},
-      {with("at_m = [5, 7, 0.3]", "at_m = [0.2, 1, 0.3]"), "map.toml:29: object 2 overlaps object \"front door\""},
-      {with("[[object]]\nclass", "[[object]]\nname = \"front door\"\nclass"),
+      {map_with("at_m = [5, 7, 0.3]", "at_m = [0.2, 1, 0.3]"), "map.toml:29: object 2 overlaps object \"front door\""},
+      {map_with("[[object]]\nclass", "[[object]]\nname = \"front door\"\nclass"),
        "map.toml:29: object \"front door\" is there twice"},
-      {with("name = \"front door\"", "name = \"bin 2\""), "map.toml:29: object \"bin 2\" is there twice"},
-      {with("height_m = 0.7", "height_m = 1001"), "map.toml:32: object 2: height_m = 1001 is not allowed"},
-      {with("height_m = 0.7", "hight_m = 0.7"),
+      {map_with("name = \"front door\"", "name = \"bin 2\""), "map.toml:29: object \"bin 2\" is there twice"},
+      {map_with("height_m = 0.7", "height_m = 1001"), "map.toml:32: object 2: height_m = 1001 is not allowed"},
+      {map_with("height_m = 0.7", "hight_m = 0.7"),
        "map.toml:32: unknown key \"hight_m\" in [[object]] (did you mean \"height_m\"?)"},
-      {with("[[wall]]", "[[wal]]"), "unknown key \"wal\" in a map (did you mean \"wall\"?)"},
-      {with("name = \"flat\"", "name = 3"), "map.toml:1: name"},
-      {with("[[class]]\nname = \"door\"", "[[class]]\n"), "map.toml:16: class 1 lacks name"},
-      {valid.substr(0, valid.find("[[object]]")),
+      {map_with("[[wall]]", "[[wal]]"), "unknown key \"wal\" in a map (did you mean \"wall\"?)"},
+      {map_with("name = \"flat\"", "name = 3"), "map.toml:1: name"},
+      {map_with("[[class]]\nname = \"door\"", "[[class]]\n"), "map.toml:16: class 1 lacks name"},
+      {valid_map.substr(0, valid_map.find("[[object]]")),
        "map.toml:1: the map has no [[object]]; without objects no photo shows anything"},
-      {valid.substr(valid.find("[[class]]")),
+      {valid_map.substr(valid_map.find("[[class]]")),
        "map.toml:1: the map has no [[area]]; give at least one corridor or room"},
-      {with("x_m = [0, 10]", "x_m = [0, 10"), "map.toml:5: not valid TOML: "},
+      {map_with("x_m = [0, 10]", "x_m = [0, 10"), "map.toml:5: not valid TOML: "},
   }));
   const std::string error = MapFolder(text).error_of(from_file);
   INFO(message << "\n" << error);
@@ -200,7 +200,7 @@ TEST_CASE("what is wrong with a map file is said in one line with its place") {
 }
 
 TEST_CASE("a map of too many parts is refused") {
-  std::string text = valid;
+  std::string text = valid_map;
   for (int i = 0; i < 1000; ++i)
     text += "[[class]]\nname = \"c" + std::to_string(i) + "\"\nwidth_m = 1\nheight_m = 1\n";
   CHECK(MapFolder(text).error_of(from_file).find("the map has 1002 [[class]]; at most 1000 are allowed") !=
@@ -208,7 +208,7 @@ TEST_CASE("a map of too many parts is refused") {
 }
 
 TEST_CASE("what is wrong with the choice of a map is said in one line with its place") {
-  const MapFolder folder(valid);
+  const MapFolder folder(valid_map);
   const auto [value, message] = GENERATE(table<std::string, std::string>({
       {"\"papre\"",
        "map: there is no map \"papre\" (did you mean \"paper\"?); for a file write { file = \"NAME.toml\" }"},

@@ -18,7 +18,7 @@ Study study(const std::string& text, const std::string& name = "s") {
   return read_study({name, name + ".toml", "experiment = \"ranging\"\n" + text});
 }
 
-const std::string ols = "[[method]]\nsolver = \"ols\"\n";
+const std::string ols_alone = "[[method]]\nsolver = \"ols\"\n";
 
 template <class Info>
 std::set<std::string> hashes(const std::vector<Info>& list) {
@@ -43,9 +43,9 @@ std::string refusal(const Study& a, const Study& b) {
 }  // namespace
 
 TEST_CASE("the union of two studies has all cells, methods and trials of both, and the face of the first") {
-  const Study a = study("title = \"A\"\ntrials = 100\n[sweep]\npoints = [3, 7]\nrange_sigma_m = [0.1]\n" + ols);
-  const Study b = study("title = \"B\"\ntrials = 500\n[sweep]\npoints = [5, 3]\nrange_sigma_m = [0.3, 0.1]\n" + ols +
-                        "[[method]]\nsolver = \"rr\"\n");
+  const Study a = study("title = \"A\"\ntrials = 100\n[sweep]\npoints = [3, 7]\nrange_sigma_m = [0.1]\n" + ols_alone);
+  const Study b = study("title = \"B\"\ntrials = 500\n[sweep]\npoints = [5, 3]\nrange_sigma_m = [0.3, 0.1]\n" +
+                        ols_alone + "[[method]]\nsolver = \"rr\"\n");
   for (const Study& all : {united(a, b), united(b, a)}) {
     CHECK(covers(all, a));
     CHECK(covers(all, b));
@@ -57,7 +57,7 @@ TEST_CASE("the union of two studies has all cells, methods and trials of both, a
 
 TEST_CASE("values that ascend stay so; others keep the order of the first study") {
   const auto values = [](const std::string& a, const std::string& b) {
-    const auto sweep = [](const std::string& list) { return study("[sweep]\npoints = " + list + "\n" + ols); };
+    const auto sweep = [](const std::string& list) { return study("[sweep]\npoints = " + list + "\n" + ols_alone); };
     std::vector<std::int64_t> numbers;
     const Study all = united(sweep(a), sweep(b));
     for (const Value& value : all.sweep.front().values) numbers.push_back(std::get<std::int64_t>(value));
@@ -70,7 +70,7 @@ TEST_CASE("values that ascend stay so; others keep the order of the first study"
 TEST_CASE("zipped axes gain whole rows, and must be zipped alike") {
   const auto zipped = [](const std::string& points, const std::string& sigma) {
     return study("[sweep]\npoints = " + points + "\nrange_sigma_m = " + sigma +
-                 "\nzip = [[\"points\", \"range_sigma_m\"]]\n" + ols);
+                 "\nzip = [[\"points\", \"range_sigma_m\"]]\n" + ols_alone);
   };
   const Study a = zipped("[3, 4]", "[0.1, 0.2]");
   const Study b = zipped("[5, 3]", "[0.3, 0.1]");
@@ -78,14 +78,15 @@ TEST_CASE("zipped axes gain whole rows, and must be zipped alike") {
   CHECK(covers(all, a));
   CHECK(covers(all, b));
   CHECK(make_plan(all).cells.size() == 3);
-  CHECK(refusal(a, study("[sweep]\npoints = [3]\nrange_sigma_m = [0.1]\n" + ols)).find("zip") != std::string::npos);
+  CHECK(refusal(a, study("[sweep]\npoints = [3]\nrange_sigma_m = [0.1]\n" + ols_alone)).find("zip") !=
+        std::string::npos);
   // An axis has a value once.
   CHECK(refusal(a, zipped("[5, 3]", "[0.3, 0.2]")).find("points = 3") != std::string::npos);
 }
 
 TEST_CASE("an exclusion stays only if neither study has what it leaves out") {
   const auto with = [](const std::string& exclude) {
-    return study("[sweep]\npoints = [3, 4, 5]\nrange_sigma_m = [0.1, 0.2]\nexclude = [" + exclude + "]\n" + ols);
+    return study("[sweep]\npoints = [3, 4, 5]\nrange_sigma_m = [0.1, 0.2]\nexclude = [" + exclude + "]\n" + ols_alone);
   };
   const Study a = with("{ points = 3, range_sigma_m = 0.1 }, { points = 5 }");
   const Study b = with("{ points = 3, range_sigma_m = 0.1 }");
@@ -105,20 +106,20 @@ TEST_CASE("a method that relied on shared settings keeps them when they differ")
 }
 
 TEST_CASE("one name for two methods is refused") {
-  const Study a = study("[solver]\nmax_iterations = 20\n" + ols, "a");
-  const Study b = study("[solver]\nmax_iterations = 50\n" + ols, "b");
+  const Study a = study("[solver]\nmax_iterations = 20\n" + ols_alone, "a");
+  const Study b = study("[solver]\nmax_iterations = 50\n" + ols_alone, "b");
   const std::string message = refusal(a, b);
   CHECK(message.find("a: its method \"ols\" has other settings in b") != std::string::npos);
   // The same method under another name is the same method.
   const Study renamed = study("[[method]]\nsolver = \"ols\"\nname = \"Gauss\"\n");
-  CHECK(united(renamed, study(ols)).methods.size() == 1);
+  CHECK(united(renamed, study(ols_alone)).methods.size() == 1);
 }
 
 TEST_CASE("differences name each key that changes every number, and no other") {
-  const Study a = study("seed = 1\n[scene]\ndepth_m = [1, 5]\npoints = 4\n" + ols);
+  const Study a = study("seed = 1\n[scene]\ndepth_m = [1, 5]\npoints = 4\n" + ols_alone);
   const Study b = study(
       "seed = 2\ntrials = 7\n[scene]\ndepth_m = [1, 9]\n[solver]\nmax_iterations = 9\n[sweep]\npoints = [3, 4]\n" +
-      ols);
+      ols_alone);
   CHECK(differences(a, b) == std::vector<std::string>{"depth_m is [1.0, 5.0], not [1.0, 9.0]", "points is 4, not swept",
                                                       "seed is 1, not 2"});
   CHECK(differences(a, a).empty());
