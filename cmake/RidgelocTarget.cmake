@@ -9,6 +9,10 @@ function(ridgeloc_compile_options target)
     $<$<BOOL:${RIDGELOC_WARNINGS_AS_ERRORS}>:-Werror>)
   if(RIDGELOC_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${RIDGELOC_SANITIZE} -fno-omit-frame-pointer)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      # Between the checks GCC sees values come from nowhere.
+      target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
+    endif()
     target_link_options(${target} PRIVATE -fsanitize=${RIDGELOC_SANITIZE})
     if(RIDGELOC_SANITIZE MATCHES "undefined")
       target_compile_options(${target} PRIVATE -fno-sanitize=vptr -fno-sanitize-recover=undefined)
@@ -49,11 +53,14 @@ function(ridgeloc_group_by_folder target)
   endforeach()
 endfunction()
 
+# How kernels are compiled for sanitizers. Their functions are so large that checks keep an optimizing compiler busy for
+# many minutes; those for undefined behaviour, one in each operation, without optimization too.
+set(RIDGELOC_SANITIZED_KERNEL_OPTIONS -O0 -fno-sanitize=undefined)
+
 # ridgeloc_simd_kernels(TARGET SOURCE): compiles SOURCE into TARGET once per instruction set of RIDGELOC_ISAS. Such a source
 # instantiates kernels over the packs of core/pack.hpp and nothing else: what it shared with ordinary code would run
 # instructions that the processor may not have. Optimized in every build type, so that all of it is inlined; less where the
-# time to compile counts more, and not at all for sanitizers, whose checks keep compilers busy for many minutes in
-# functions of this size.
+# time to compile counts more.
 function(ridgeloc_simd_kernels target source)
   # The architecture first, so that flags which a user gives for the whole build do not change what a baseline is.
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
@@ -70,7 +77,7 @@ function(ridgeloc_simd_kernels target source)
   endif()
   set(optimization -O3)
   if(RIDGELOC_SANITIZE)
-    set(optimization -O0)
+    set(optimization ${RIDGELOC_SANITIZED_KERNEL_OPTIONS})
   elseif(NOT RIDGELOC_SPECIALIZED_KERNELS)
     set(optimization -O1)
   endif()

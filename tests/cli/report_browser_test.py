@@ -102,7 +102,7 @@ def check_width(browser, width):
 
 def check_text(browser):
     """Text of the study is text, and the headings have no gaps in their order."""
-    check(browser.value("document.querySelectorAll('b:not(.flag), marked').length") == 0, "a title became HTML")
+    check(browser.value("document.querySelectorAll('b:not(.flag, .best), marked').length") == 0, "a title became HTML")
     check(browser.value("document.title") == "2 studies", "the title is wrong")
     levels = browser.value("Array.from(document.querySelectorAll('h1, h2, h3, h4'), (h) => Number(h.tagName[1]))")
     check(levels[0] == 1 and all(b <= a + 1 for a, b in zip(levels, levels[1:])), f"headings go {levels}")

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "results/summary/summary.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace ridgeloc::results {
 
@@ -22,12 +23,10 @@ inline Schema synthetic_schema() {
 
 /// Four trials that converged with errors of `scale` times 1, 2, 3, 4, and one that did not.
 inline Statistics five_trials(double scale) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   Statistics statistics;
   statistics.trials = 5;
   statistics.events = {4, 1, 5};
-  statistics.metrics = {statistics_of(std::vector{scale, 2 * scale, nan, 3 * scale, 4 * scale}),
+  statistics.metrics = {statistics_of(std::vector{scale, 2 * scale, not_a_number, 3 * scale, 4 * scale}),
                         statistics_of(std::vector{scale, 2 * scale, infinity, 3 * scale, 4 * scale})};
   return statistics;
 }

@@ -9,10 +9,12 @@
 #include "results/figures/figure_axes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/message_of.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace {
 
 using namespace ridgeloc::results;
+using ridgeloc::tests::infinity;
 
 /// Two lines over the given values of x.
 FigureData two_lines(const std::vector<double>& xs) {
@@ -44,7 +46,6 @@ TEST_CASE("bars lie within the range, which begins at zero where zero is near") 
 
 TEST_CASE("infinite points and ends do not stretch the range, and are counted") {
   FigureData data = two_lines({1.0, 2.0});
-  const double infinity = std::numeric_limits<double>::infinity();
   data.panels[0].lines[0].points[0] = {1.0, infinity, 2.0, infinity, true};
   data.panels[0].lines[1].points[0].hi = infinity;
   const FigureLayout layout = figure_layout(data);

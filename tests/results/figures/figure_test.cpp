@@ -12,6 +12,7 @@
 #include "results/figures/figure_data.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/message_of.hpp"
+#include "tests/support/numbers.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/synthetic_summary.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 
 using namespace ridgeloc;
 using namespace ridgeloc::results;
+using ridgeloc::tests::infinity;
 namespace fs = std::filesystem;
 
 FigureSpec synthetic_spec() {
@@ -332,7 +334,6 @@ TEST_CASE("distributions are drawn, with logarithmic shares too") {
 TEST_CASE("a figure whose points are all infinite still shows its axes") {
   const tests::ScratchFolder folder;
   Summary summary = synthetic_summary();
-  const double infinity = std::numeric_limits<double>::infinity();
   for (Statistics& statistics : summary.statistics)
     statistics.metrics[1] = statistics_of(std::vector{infinity, infinity});
   FigureSpec spec = synthetic_spec();

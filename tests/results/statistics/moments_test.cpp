@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace {
 
 using namespace ridgeloc::results;
+using ridgeloc::tests::infinity;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -72,7 +74,6 @@ TEST_CASE("moments of every length around the accumulator count agree with a lon
 
 TEST_CASE("moments pass over NaN, infinite and oversized values, wherever they stand") {
   const double limit = largest_moment_value;
-  const double infinity = std::numeric_limits<double>::infinity();
   const double outsiders[] = {
       std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::quiet_NaN(), infinity, -infinity,
       std::nextafter(limit, infinity),          -std::nextafter(limit, infinity)};
