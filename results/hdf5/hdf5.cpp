@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <functional>
 #include <numeric>
+#include <ranges>
 #include <span>
 #include <utility>
 
@@ -32,6 +33,8 @@ constexpr std::uint64_t largest_compression = 1032;
 constexpr std::uint64_t text_reference_bytes = 16;
 /// Values per chunk of compressed datasets: half a megabyte of 64-bit counts, well inside HDF5's chunk cache.
 constexpr std::uint64_t chunk_values = 65536;
+/// Fewer values are not worth the index of their chunks, which takes some kilobytes.
+constexpr std::uint64_t fewest_compressed = 1024;
 
 hid_t numeric_type(Type type) {
   switch (type) {
@@ -73,10 +76,13 @@ Handle make_creation_properties(const fs::path& file, const std::string& object,
   Handle properties{H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "create", file, object};
   bool good = H5Pset_obj_track_times(properties, false) >= 0 &&
               H5Pset_attr_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) >= 0;
-  if (layout == Layout::Compressed && product(shape) > 0) {
+  if (layout == Layout::Compressed && product(shape) >= fewest_compressed) {
     std::vector<hsize_t> chunk(shape.begin(), shape.end());
-    const std::uint64_t row = product(shape) / shape[0];
-    chunk[0] = std::clamp<std::uint64_t>(chunk_values / row, 1, shape[0]);
+    std::uint64_t room = chunk_values;
+    for (hsize_t& size : chunk | std::views::reverse) {
+      size = std::clamp<std::uint64_t>(room, 1, size);
+      room /= size;
+    }
     good = good && H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()) >= 0 &&
            H5Pset_shuffle(properties) >= 0 && H5Pset_deflate(properties, 1) >= 0;
   }

@@ -38,7 +38,7 @@ constexpr Type type_of<std::uint8_t>() {
   return Type::U8;
 }
 
-/// `Compressed`: chunks with shuffle and gzip level 1, for counts; noise in doubles does not compress.
+/// `Compressed`: chunks with shuffle and gzip level 1, unless the dataset is small; noise in doubles does not compress.
 enum class Layout { Contiguous, Compressed };
 
 /// An HDF5 file. Objects are named by their full path, such as "/ledger/mean". Every failure throws

@@ -179,6 +179,29 @@ TEST_CASE("a study without sweep and without kept trials is a result like any ot
   CHECK(file.shape("/summary/error_m") == hdf5::Shape{3, 25});
 }
 
+TEST_CASE("the summary is a grid where all its points are cells, and else as large as the cells") {
+  const tests::ScratchFolder folder;
+  const auto written = [&](const Header& header) {
+    tests::write_sample(folder / "r.h5", header);
+    return hdf5::File::open(folder / "r.h5");
+  };
+  Header header = tests::sample_header();
+  {
+    const hdf5::File file = written(header);
+    CHECK(file.shape("/summary/error_m") == hdf5::Shape{5, 3, 25});
+    CHECK(file.read<std::int64_t>("/summary/cell") == std::vector<std::int64_t>{0, 1, 2, 3, 4});
+    CHECK(file.read<std::int64_t>("/summary/points") == std::vector<std::int64_t>{3, 3, 4, 4, 7});
+    CHECK(file.read<double>("/summary/sigma_m") == std::vector<double>{0.1, 1.0 / 3.0, 0.1, 1.0 / 3.0, 1.0 / 3.0});
+    CHECK(file.text_attribute("/summary/error_m", "coordinates") == "points sigma_m");
+  }
+  header.cells.insert(header.cells.begin() + 4, {"c5", {2, 0}});
+  const hdf5::File file = written(header);
+  CHECK(file.shape("/summary/error_m") == hdf5::Shape{3, 2, 3, 25});
+  CHECK(file.read<std::int64_t>("/summary/points") == std::vector<std::int64_t>{3, 4, 7});
+  CHECK_FALSE(file.contains("/summary/cell"));
+  CHECK_FALSE(file.has_attribute("/summary/error_m", "coordinates"));
+}
+
 TEST_CASE("totals that have changed since the result was sealed are not read") {
   const tests::ScratchFolder folder;
   const Header header = tests::sample_header();
