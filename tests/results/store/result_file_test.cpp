@@ -50,7 +50,7 @@ TEST_CASE("a sealed result gives back its header") {
   CHECK(read.seed == header.seed);
   CHECK(read.trials == header.trials);
   CHECK(read.block_trials == header.block_trials);
-  CHECK(read.trial_column_blocks == header.trial_column_blocks);
+  CHECK(read.kept_trials == header.kept_trials);
   CHECK(read.isa == header.isa);
   CHECK(read.schema.statuses == header.schema.statuses);
   REQUIRE(read.schema.metrics.size() == header.schema.metrics.size());
@@ -142,12 +142,12 @@ TEST_CASE("a sealed result gives back the kept trials") {
   const Header header = tests::sample_header();
   tests::write_sample(folder / "r.h5", header);
   const TrialTable table = read_trials(folder / "r.h5", 3, 1);
-  REQUIRE(table.trial.size() == header.trial_column_blocks * header.block_trials);
+  REQUIRE(table.trial.size() == header.kept_trials);
   for (std::uint64_t t = 0; t < table.trial.size(); ++t) REQUIRE(table.trial[t] == t);
 
   std::vector<std::uint8_t> status;
   std::vector<double> error;
-  for (std::uint64_t block = 0; block < header.trial_column_blocks; ++block) {
+  for (std::uint64_t block = 0; block * header.block_trials < header.kept_trials; ++block) {
     const TrialColumns columns = tests::sample_block(header, 3, block).take_columns()[1];
     status.insert(status.end(), columns.status.begin(), columns.status.end());
     error.insert(error.end(), columns.metrics[0].begin(), columns.metrics[0].end());
@@ -169,7 +169,7 @@ TEST_CASE("a study without sweep and without kept trials is a result like any ot
   header.axes.clear();
   header.cells = {{"only", {}}};
   header.figures.clear();
-  header.trial_column_blocks = 0;
+  header.kept_trials = 0;
   tests::write_sample(folder / "r.h5", header);
   const Summary summary = read_result(folder / "r.h5");
   CHECK(summary.header.axes.empty());
