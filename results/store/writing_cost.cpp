@@ -142,7 +142,8 @@ WritingCost try_writing(Header header, std::vector<Row> rows, std::vector<TrialC
   WritingCost cost;
   cost.bytes_per_trial = bytes / trials;
   // The disk is waited for once a file, and for bytes. What cells cost is the processor's time for their datasets.
-  cost.per_cell = {each(by_few.processor_s, by_one.processor_s, more_cells), each(by_few.bytes, by_one.bytes, more_cells)};
+  cost.per_cell = {each(by_few.processor_s, by_one.processor_s, more_cells),
+                   each(by_few.bytes, by_one.bytes, more_cells)};
   cost.fixed = {each(by_one.wall_s, cost.per_cell.seconds, 1.0), each(by_one.bytes, cost.per_cell.bytes, 1.0)};
   const double for_bytes = std::max(by_all.wall_s - by_few.wall_s, by_all.processor_s - by_few.processor_s);
   cost.per_byte = {each(for_bytes, 0.0, more_bytes), each(by_all.bytes, by_few.bytes, more_bytes)};
