@@ -32,7 +32,8 @@ TEST_CASE("a plan says of how many trials values are kept, and run does where it
   folder.write("s.toml", study);
   const auto plan = [&](const std::string& options) { return folder.ridgeloc("plan s.toml " + options).out; };
   CHECK(contains(plan("--trials 1000"), "kept     the values of all trials: "));
-  const std::regex some("kept     the values of the first ([0-9]+) trials of each cell: [0-9.]+ [KM]iB, at most 1 MiB\n");
+  const std::regex some(
+      "kept     the values of the first ([0-9]+) trials of each cell: [0-9.]+ [KM]iB, at most 1 MiB\n");
   std::smatch kept;
   const std::string text = plan("--trials 100000 --set store.trial_columns_mib=1");
   INFO(text);
