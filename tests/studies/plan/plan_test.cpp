@@ -12,7 +12,7 @@ using namespace ridgeloc::studies;
 
 namespace {
 
-Study study(const std::string& sweep, const std::vector<std::string>& overrides = {}) {
+Study swept_study(const std::string& sweep, const std::vector<std::string>& overrides = {}) {
   return read_study({"demo", "demo.toml",
                      "experiment = \"ranging\"\ntrials = 10000\n[sweep]\n" + sweep +
                          "\n[[method]]\nsolver = \"rrr\"\n[[method]]\nsolver = \"ols\"\n"},
@@ -20,7 +20,7 @@ Study study(const std::string& sweep, const std::vector<std::string>& overrides 
 }
 
 Plan plan(const std::string& sweep, const std::vector<std::string>& overrides = {}) {
-  return make_plan(study(sweep, overrides));
+  return make_plan(swept_study(sweep, overrides));
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ TEST_CASE("blocks cover the trials of a cell, the last one in part") {
 TEST_CASE("as many trials of each cell are kept as fit into the size for all, whatever the trials of the study") {
   for (const char* sweep : {"points = [3]", "points = [3, 4, 5, 6]"}) {
     for (const char* trials : {"trials=10", "trials=1000000"}) {
-      const Study s = study(sweep, {trials, "store.trial_columns_mib=1"});
+      const Study s = swept_study(sweep, {trials, "store.trial_columns_mib=1"});
       const Plan p = make_plan(s);
       const std::uint64_t all = p.cells.size() * bytes_per_trial(s);
       CHECK(p.header.kept_trials * all <= 1 << 20);
