@@ -85,7 +85,7 @@ void export_trials(const ExportOptions& options) {
         options.result));
   }
   checked_digest(options.result);
-  if (header.trial_column_blocks == 0) {
+  if (header.kept_trials == 0) {
     throw core::InputError(options.result +
                            ": keeps no values of single trials; run the study with [store] trial_columns_mib above 0");
   }

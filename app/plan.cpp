@@ -4,9 +4,12 @@
 #include <cmath>
 #include <ostream>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "app/continuation.hpp"
+#include "app/disk_room.hpp"
 #include "app/duration.hpp"
 #include "app/exit_code.hpp"
 #include "app/instruction_set.hpp"
@@ -15,8 +18,8 @@
 #include "app/stop_text.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
-#include "core/units.hpp"
 #include "results/schema/text.hpp"
+#include "results/store/writing_cost.hpp"
 #include "results/util/shell.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/registry.hpp"
@@ -30,6 +33,7 @@ namespace {
 constexpr double pilot_budget_s = 2.0;
 
 constexpr double share_s = 3600.0;
+constexpr double most_sensible_s = 365.25 * 86400.0;
 constexpr double most_shares = 1000.0;  // Slurm's arrays end there unless its configuration says otherwise
 
 /// "0.71 us", "15 ms", "2 s".
@@ -38,61 +42,106 @@ std::string trial_time_text(double seconds) {
   return seconds < 1.0 ? fmt::format("{:.3g} ms", seconds * 1e3) : fmt::format("{:.3g} s", seconds);
 }
 
-/// Prints it and returns the seconds that the study is expected to take.
-double print_plan(const studies::Study& study, core::Isa isa, int threads) {
-  const studies::Plan plan = studies::make_plan(study, isa);
-  const auto cells = static_cast<double>(plan.cells.size());
-  const studies::Pilot pilot = studies::run_pilot(study, plan, pilot_budget_s);
-  std::vector<std::uint64_t> cell_trials = pilot.predicted_trials;
-  if (cell_trials.empty()) cell_trials.assign(plan.cells.size(), study.trials);
-  const std::uint64_t block = plan.header.block_trials;
+/// What a plan says of the trials of all cells.
+struct Totals {
   double trials = 0.0;
-  double kept = 0.0;
+  double kept = 0.0;  ///< of these, trials whose values are kept
   std::uint64_t blocks = 0;
-  for (const std::uint64_t n : cell_trials) {
-    trials += static_cast<double>(n);
-    kept += static_cast<double>(std::min(n, plan.header.trial_column_blocks * block));
-    blocks += (n + block - 1) / block;
-  }
-  const double columns_mib = kept * static_cast<double>(studies::bytes_per_trial(study)) / core::mebibyte;
-  const auto [least, most] = std::ranges::minmax(cell_trials);
-  const double most_trials = study.stop ? static_cast<double>(study.stop->max_trials) * cells : trials;
+  std::uint64_t least = 0;  ///< per cell
+  std::uint64_t most = 0;
+};
 
+Totals totals_of(const results::Header& header, const std::vector<std::uint64_t>& cell_trials) {
+  Totals totals;
+  for (const std::uint64_t n : cell_trials) {
+    totals.trials += static_cast<double>(n);
+    totals.kept += static_cast<double>(std::min(n, header.kept_trials));
+    totals.blocks += (n + header.block_trials - 1) / header.block_trials;
+  }
+  const auto [least, most] = std::ranges::minmax(cell_trials);
+  totals.least = least;
+  totals.most = most;
+  return totals;
+}
+
+void print_contents(const studies::Study& study, const studies::Plan& plan) {
   fmt::print("{}: {}\n", study.name, study.title);
   for (const auto& axis : plan.header.axes) fmt::print("  axis     {} ({} values)\n", axis.name, axis.values.size());
   for (const auto& method : study.methods) fmt::print("  method   {} ({})\n", method.label, method.solver);
   for (const std::string& remark : plan.remarks) fmt::print("  note     {}\n", remark);
   fmt::print("  cells    {}\n", plan.cells.size());
-  const std::string per_cell = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
-  fmt::print("  trials   {}{:.0f} ({} per cell){}\n", study.stop ? "about " : "", trials, per_cell,
+}
+
+void print_trials(const studies::Study& study, const Totals& totals, double most_trials) {
+  const std::string per_cell = totals.least == totals.most ? fmt::format("{}", totals.least)
+                                                           : fmt::format("{} to {}", totals.least, totals.most);
+  fmt::print("  trials   {}{:.0f} ({} per cell){}\n", study.stop ? "about " : "", totals.trials, per_cell,
              study.stop ? fmt::format(", at most {:.0f}", most_trials) : "");
-  if (study.stop) {
-    const studies::StopRule& rule = *study.stop;
-    fmt::print("  stop     {}, after {} to {} trials per cell\n", target_text(rule), rule.min_trials, rule.max_trials);
-    if (rule.max_cost > 0.0) fmt::print("           or at a cost of {:g} of all cells together\n", rule.max_cost);
-  }
-  fmt::print("  blocks   {} of {} trials\n", blocks, block);
+  if (!study.stop) return;
+  const studies::StopRule& rule = *study.stop;
+  fmt::print("  stop     {}, after {} to {} trials per cell\n", target_text(rule), rule.min_trials, rule.max_trials);
+  if (rule.max_cost > 0.0) fmt::print("           or at a cost of {:g} of all cells together\n", rule.max_cost);
+}
+
+/// What is kept of single trials, and the room that the result needs.
+void print_storage(const studies::Study& study, const studies::Plan& plan, const Totals& totals,
+                   const results::WritingCost& cost) {
+  const std::uint64_t kept = plan.header.kept_trials;
+  const std::string which =
+      kept >= totals.most ? std::string("all trials") : fmt::format("the first {} trials of each cell", kept);
+  fmt::print("  kept     {}\n",
+             kept == 0 ? "no values of single trials"
+                       : fmt::format("the values of {}: {}, at most {:g} MiB", which,
+                                     size_text(totals.kept * cost.bytes_per_trial), study.trial_columns_mib));
+  const double digests =
+      static_cast<double>(totals.blocks) * static_cast<double>(plan.header.methods.size()) * sizeof(std::uint64_t);
+  const double bytes = cost.of(static_cast<double>(plan.cells.size()), totals.kept).bytes + digests;
+  fmt::print("  disk     about {}, and as much again until its parts are sealed\n", size_text(bytes));
+  const double free = free_bytes(".");
+  if (2.0 * bytes > free) fmt::print("  note     only {} are free in this folder\n", size_text(free));
+}
+
+/// Prints it and returns the seconds that the study is expected to take.
+double print_plan(const studies::Study& study, core::Isa isa, int threads) {
+  const studies::Plan plan = studies::make_plan(study, isa);
+  const auto cells = static_cast<double>(plan.cells.size());
+  // More threads than there are processors would tell nothing of a machine that has them.
+  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  studies::Pilot pilot =
+      studies::run_pilot(study, plan, pilot_budget_s, *studies::thread_queue(std::min(threads, processors)));
+  std::vector<std::uint64_t> cell_trials = pilot.predicted_trials;
+  if (cell_trials.empty()) cell_trials.assign(plan.cells.size(), study.trials);
+  const Totals totals = totals_of(plan.header, cell_trials);
+  const double most_trials = study.stop ? static_cast<double>(study.stop->max_trials) * cells : totals.trials;
+  if (plan.header.kept_trials == 0) pilot.columns.clear();
+  const results::WritingCost cost = results::try_writing(plan.header, std::move(pilot.rows), std::move(pilot.columns));
+
+  print_contents(study, plan);
+  print_trials(study, totals, most_trials);
+  fmt::print("  blocks   {} of {} trials\n", totals.blocks, plan.header.block_trials);
   fmt::print("  pilot    {} per trial and thread, all methods, with {} ({} trials)\n",
              trial_time_text(pilot.seconds_per_trial), plan.header.isa, pilot.trials);
   // A block is the work of one thread, and they are computed in rounds of so many as there are threads.
-  const auto busy = static_cast<int>(std::min(static_cast<std::uint64_t>(threads), blocks));
+  const auto busy = static_cast<int>(std::min(static_cast<std::uint64_t>(threads), totals.blocks));
   const auto at_once = static_cast<std::uint64_t>(threads);
-  const std::uint64_t rounds = (blocks + at_once - 1) / at_once;
-  const double share_of_rounds = static_cast<double>(rounds) / static_cast<double>(blocks);
+  const std::uint64_t rounds = (totals.blocks + at_once - 1) / at_once;
+  const double share_of_rounds = static_cast<double>(rounds) / static_cast<double>(totals.blocks);
+  const double writing = cost.of(cells, totals.kept).seconds;
   const auto seconds_for = [&](double n) {
-    return (pilot.seconds_per_trial * n + pilot.seconds_per_cell * cells) * share_of_rounds;
+    return (pilot.seconds_per_trial * n + pilot.seconds_per_cell * cells) * share_of_rounds + writing;
   };
-  const double seconds = seconds_for(trials);
-  fmt::print("  time     about {}{} on {}{}\n", duration_text(seconds),
-             study.stop ? fmt::format(", at most {},", duration_text(seconds_for(most_trials))) : "",
-             results::count_text(at_once, "thread"),
+  const double seconds = seconds_for(totals.trials);
+  fmt::print("  time     about {}{}, {} of it for writing, on {}{}\n", duration_text(seconds),
+             study.stop ? fmt::format(", at most {}", duration_text(seconds_for(most_trials))) : "",
+             duration_text(writing), results::count_text(at_once, "thread"),
              busy < threads ? fmt::format(", {} of them at work: there are no more blocks", busy) : "");
+  if (seconds > most_sensible_s)
+    fmt::print("  note     that is more than a year: take fewer trials, or let [stop] give each cell what it needs\n");
   if (study.audit > 0.0) {
     fmt::print("  audit    by Ceres: the first {} trials of each cell and {:g} of the others\n",
                studies::always_audited, study.audit);
   }
-  fmt::print("  disk     at most {:.1f} MiB of per-trial columns ({:.0f} trials kept) besides the summaries\n",
-             columns_mib, kept);
+  print_storage(study, plan, totals, cost);
   return seconds;
 }
 

@@ -55,14 +55,15 @@ void ProgressDisplay::show(const std::stop_token& stop, const std::string& name,
   const Clock::time_point begin = Clock::now();
   while (!wake.wait_for(lock, stop, terminal_ ? Clock::duration(terminal_interval) : Clock::duration(log_interval),
                         [&] { return stop.stop_requested(); })) {
-    if (progress.is_writing.load()) {
-      print_line(fmt::format("{}: all trials are done, writing the result", name));
-      continue;
-    }
     const double seconds = core::seconds_since(begin);
     const auto run = static_cast<double>(progress.trials_done.load());
     const double done = run + static_cast<double>(progress.trials_found.load());
     const auto total = static_cast<double>(std::max<std::uint64_t>(progress.trials_total.load(), 1));
+    // The last trials may be done while their part is still being written.
+    if (progress.is_writing.load() || done >= total) {
+      print_line(fmt::format("{}: all trials are done, writing the result", name));
+      continue;
+    }
     const double share = std::min(done / total, 1.0);
     const double speed = run / seconds;
     const std::string left = speed > 0.0 ? duration_text(std::max(total - done, 0.0) / speed) : std::string("?");

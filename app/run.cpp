@@ -11,6 +11,7 @@
 
 #include "app/build_info.hpp"
 #include "app/continuation.hpp"
+#include "app/disk_room.hpp"
 #include "app/duration.hpp"
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
@@ -104,6 +105,16 @@ void print_surplus(const Job& job) {
   }
 }
 
+/// Of which trials the values are kept, where it is not all of them.
+void print_kept(const Job& job) {
+  const std::uint64_t kept = job.plan.header.kept_trials;
+  if (kept == 0 || kept >= job.plan.header.trials) return;
+  say(
+      fmt::format("{}: keeps the values of the first {} of {} trials of each cell, at most {:g} MiB in all ([store] "
+                  "trial_columns_mib)\n",
+                  job.study.name, kept, job.plan.header.trials, job.study.trial_columns_mib));
+}
+
 /// Where finished blocks are: " in r.h5 and r.h5.parts".
 std::string kept_in(const fs::path& output) {
   std::vector<std::string> places;
@@ -136,7 +147,9 @@ bool run_job(const Request& request, const RunOptions& options, const std::atomi
   results::ResultClaim claim(request.output);
   const Job job = job_of(request, options);
   const int threads = options.study.threads;
+  require_room(job.study, job.plan, job.output);
   print_surplus(job);
+  print_kept(job);
   for (const std::string& remark : job.plan.remarks) say(fmt::format("{}: note: {}\n", job.study.name, remark));
   const auto begin = std::chrono::steady_clock::now();
   studies::RunProgress progress;

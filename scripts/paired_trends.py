@@ -4,7 +4,7 @@
 Does a metric rise or fall along each axis of the sweep? For every method and every two neighbouring cells: the mean of
 the paired difference over the kept trials (cells share their random numbers, so pairs are far more exact than the two
 means), its standard error and z. Needs h5py and numpy, and a result whose trials were kept:
-ridgeloc run fig3a --trials 1e6 --set store.trial_columns_mib=250
+ridgeloc run fig3a --trials 1e6 --set store.trial_columns_mib=3750
 """
 
 import sys

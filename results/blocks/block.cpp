@@ -16,6 +16,11 @@ enum Kind : std::uint64_t { kind_status = 1, kind_event = 2, kind_metric = 3, ki
 
 }  // namespace
 
+std::uint64_t kept_trials(const Header& header, std::uint64_t block, std::uint64_t trials) {
+  if (block > header.kept_trials / header.block_trials) return 0;
+  return std::min(trials, header.kept_trials - block * header.block_trials);
+}
+
 std::size_t TrialColumns::bytes() const {
   std::size_t bytes = sizeof(TrialColumns) + status.size();
   for (const std::vector<double>& column : metrics) bytes += sizeof(column) + sizeof(double) * column.size();
@@ -42,7 +47,7 @@ BlockSink::BlockSink(const Header& header, std::size_t cell, std::uint64_t block
       first_trial_(block * header.block_trials),
       events_(header.schema.events.size()),
       statuses_(header.schema.statuses),
-      keeps_columns_(block < header.trial_column_blocks),
+      kept_(kept_trials(header, block, trials)),
       methods_(methods.numbers.size()),
       differences_(std::move(methods.differences)) {
   if (cell >= header.cells.size() || trials == 0 || trials > header.block_trials)
@@ -96,7 +101,8 @@ void BlockSink::status(std::size_t method, std::span<const std::uint8_t> codes) 
   }
   note_failures(target, codes);
   target.has_columns = true;
-  if (keeps_columns_) target.columns.status.assign(codes.begin(), codes.end());
+  const auto kept = codes.first(kept_);
+  target.columns.status.assign(kept.begin(), kept.end());
 }
 
 void BlockSink::note_failures(const PerMethod& method, std::span<const std::uint8_t> codes) {
@@ -137,7 +143,8 @@ void BlockSink::metric(std::size_t method, std::size_t metric, std::span<const d
   note_alarms(target, metric, values, std::identity());
   if (target.is_compared && is_compared_[metric] != 0) target.compared[metric].assign(values.begin(), values.end());
   target.has_columns = true;
-  if (keeps_columns_) target.columns.metrics[metric].assign(values.begin(), values.end());
+  const auto kept = values.first(kept_);
+  target.columns.metrics[metric].assign(kept.begin(), kept.end());
 }
 
 void BlockSink::sparse_metric(std::size_t method, std::size_t metric, std::span<const std::size_t> trials,
@@ -154,10 +161,9 @@ void BlockSink::sparse_metric(std::size_t method, std::size_t metric, std::span<
   target.statistics.metrics.at(metric) = statistics_of(values);
   target.has_columns = true;
   note_alarms(target, metric, values, [&](std::size_t i) { return trials[i]; });
-  if (!keeps_columns_) return;
   std::vector<double>& column = target.columns.metrics[metric];
-  column.assign(trials_, std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t i = 0; i < trials.size(); ++i) column[trials[i]] = values[i];
+  column.assign(kept_, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < trials.size() && trials[i] < kept_; ++i) column[trials[i]] = values[i];
 }
 
 Row BlockSink::difference_row(const BlockMethods::Difference& difference) const {
@@ -193,14 +199,14 @@ std::vector<Row> BlockSink::take_rows() {
 
 std::vector<TrialColumns> BlockSink::take_columns() {
   std::vector<TrialColumns> kept;
-  if (!keeps_columns_) return kept;
+  if (kept_ == 0) return kept;
   for (PerMethod& method : methods_) {
     if (!method.has_columns || method.number == BlockMethods::unwanted) continue;
     TrialColumns columns = std::move(method.columns);
     columns.cell = cell_;
     columns.method = method.number;
     columns.block = block_;
-    columns.trials = trials_;
+    columns.trials = kept_;
     kept.push_back(std::move(columns));
   }
   return kept;

@@ -11,12 +11,15 @@
 
 namespace ridgeloc::results {
 
-/// The values of each trial of one block, for one method.
+/// How many trials of a block of `trials` trials, the first of it, have their values kept.
+std::uint64_t kept_trials(const Header& header, std::uint64_t block, std::uint64_t trials);
+
+/// The values of each trial of one block that is kept, for one method.
 struct TrialColumns {
   std::size_t cell = 0;
   std::size_t method = 0;
   std::uint64_t block = 0;
-  std::uint64_t trials = 0;
+  std::uint64_t trials = 0;                  ///< kept ones, the first of the block
   std::vector<std::uint8_t> status;          ///< empty: the method reports none
   std::vector<std::vector<double>> metrics;  ///< per `Schema::metrics`; empty: not given
 
@@ -77,7 +80,7 @@ class BlockSink {
 
   /// The finished block: one row per wanted method. Empties the sink.
   std::vector<Row> take_rows();
-  /// The columns of the block where the study keeps them, of methods that gave any. Empties the sink.
+  /// The columns of the trials that the study keeps, of methods that gave any. Empties the sink.
   std::vector<TrialColumns> take_columns();
   /// The first trials that failed in the block, by method and reason. Empties the sink.
   FailureList take_failures();
@@ -111,8 +114,8 @@ class BlockSink {
   std::size_t statuses_;
   std::vector<std::size_t> status_reason_;  ///< per status; `no_reason`: no failure
   std::vector<std::size_t> metric_reason_;  ///< per metric, likewise
-  bool keeps_columns_;
-  std::vector<std::uint8_t> is_compared_;  ///< per metric
+  std::size_t kept_;                        ///< trials whose values are kept
+  std::vector<std::uint8_t> is_compared_;   ///< per metric
   std::vector<PerMethod> methods_;
   std::vector<BlockMethods::Difference> differences_;
   FailureList failures_;

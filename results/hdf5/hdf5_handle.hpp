@@ -3,11 +3,15 @@
 
 #include <hdf5.h>
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "results/hdf5/hdf5.hpp"
 
 namespace ridgeloc::results::hdf5 {
 
@@ -55,7 +59,8 @@ class Handle {
 /// Memory type of variable-length UTF-8 strings.
 Handle text_type(const std::filesystem::path& file);
 
-/// SHA-256 over strings, each as its length (64 bits) and its bytes.
-std::string digest_of(const std::vector<std::string>& values);
+/// Hexadecimal digits of the hash of values, of strings each as its length (64 bits) and its bytes.
+std::string digest_of(std::span<const std::byte> values, Hash hash);
+std::string digest_of(const std::vector<std::string>& values, Hash hash);
 
 }  // namespace ridgeloc::results::hdf5

@@ -116,10 +116,10 @@ struct Header {
   std::string study_hash;
   std::string study_toml;  ///< the fully resolved study, a study file in its own right
   std::uint64_t seed = 0;
-  std::uint64_t trials = 0;               ///< per cell
-  std::uint64_t block_trials = 0;         ///< trials per block
-  std::uint64_t trial_column_blocks = 0;  ///< blocks of each cell whose per-trial columns are kept
-  std::string isa = "baseline";           ///< instruction set that computed the numbers
+  std::uint64_t trials = 0;        ///< per cell
+  std::uint64_t block_trials = 0;  ///< trials per block
+  std::uint64_t kept_trials = 0;   ///< of each cell, the first: their values are kept one by one
+  std::string isa = "baseline";    ///< instruction set that computed the numbers
   Schema schema;
   std::vector<Axis> axes;
   std::vector<CellInfo> cells;

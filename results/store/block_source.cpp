@@ -38,19 +38,37 @@ const std::vector<std::size_t>& at(const Numbers& numbers, std::size_t number, c
   return numbers[number];
 }
 
-TrialColumns read_one(const hdf5::File& file, const Schema& schema, const StoredColumns& stored) {
-  TrialColumns columns{stored.cell, stored.method, stored.block, stored.trials, {}, {}};
-  const bool in_part = stored.group.empty();
+/// In a part all columns of a block lie one after the other.
+void read_from_part(const hdf5::File& file, const StoredColumns& stored, TrialColumns& columns) {
   if (stored.has_status)
-    columns.status = file.read<std::uint8_t>(in_part ? "/columns/status" : stored.group + "/status",
-                                             stored.status_offset, stored.trials);
-  std::uint64_t offset = stored.value_offset;
+    columns.status = file.read<std::uint8_t>("/columns/status", stored.status_offset, stored.wanted);
+  const auto given = stored.has_metric.size() - static_cast<std::size_t>(std::ranges::count(stored.has_metric, 0));
+  const auto values = file.read<double>("/columns/value", stored.value_offset, given * stored.trials);
+  auto begin = values.begin();
   for (std::size_t m = 0; m < stored.has_metric.size(); ++m) {
-    std::vector<double>& metric = columns.metrics.emplace_back();
     if (stored.has_metric[m] == 0) continue;
-    metric = file.read<double>(in_part ? "/columns/value" : stored.group + "/" + schema.metrics[m].name, offset,
-                               stored.trials);
-    if (in_part) offset += stored.trials;
+    columns.metrics[m].assign(begin, begin + static_cast<std::ptrdiff_t>(stored.wanted));
+    begin += static_cast<std::ptrdiff_t>(stored.trials);
+  }
+}
+
+void read_from_result(const hdf5::File& file, const Schema& schema, const StoredColumns& stored,
+                      TrialColumns& columns) {
+  if (stored.has_status)
+    columns.status = file.read<std::uint8_t>(stored.group + "/status", stored.status_offset, stored.wanted);
+  for (std::size_t m = 0; m < stored.has_metric.size(); ++m)
+    if (stored.has_metric[m] != 0)
+      columns.metrics[m] =
+          file.read<double>(stored.group + "/" + schema.metrics[m].name, stored.value_offset, stored.wanted);
+}
+
+TrialColumns read_one(const hdf5::File& file, const Schema& schema, const StoredColumns& stored) {
+  TrialColumns columns{stored.cell, stored.method, stored.block, stored.wanted, {}, {}};
+  columns.metrics.resize(stored.has_metric.size());
+  if (stored.group.empty()) {
+    read_from_part(file, stored, columns);
+  } else {
+    read_from_result(file, schema, stored, columns);
   }
   return columns;
 }

@@ -20,8 +20,9 @@ struct StoredColumns {
   std::size_t cell = 0;
   std::size_t method = 0;
   std::uint64_t block = 0;
-  std::uint64_t trials = 0;
-  std::string group;  ///< of a sealed result: /trials/...; empty in a part
+  std::uint64_t trials = 0;  ///< that the file holds
+  std::uint64_t wanted = 0;  ///< of these, the first: what is to be read
+  std::string group;         ///< of a sealed result: /trials/...; empty in a part
   bool has_status = false;
   std::vector<std::uint8_t> has_metric;  ///< per `Schema::metrics`
   std::uint64_t status_offset = 0;

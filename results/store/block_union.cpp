@@ -27,8 +27,11 @@ void BlockUnion::add(BlockSource source) {
                     header_.methods[conflict.method].label));
   }
   failures_.insert(source.failures);
-  for (StoredColumns& stored : source.columns)
-    if (stored.block < header_.trial_column_blocks) columns_[stored.cell][source.path].push_back(std::move(stored));
+  // A narrower study keeps more trials of each cell.
+  for (StoredColumns& stored : source.columns) {
+    stored.wanted = kept_trials(header_, stored.block, stored.trials);
+    if (stored.wanted > 0) columns_[stored.cell][source.path].push_back(std::move(stored));
+  }
 }
 
 std::vector<TrialColumns> BlockUnion::columns(std::size_t cell) const {

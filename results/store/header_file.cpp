@@ -268,7 +268,7 @@ void write_header(hdf5::File& file, const Header& header) {
   file.write_attribute("/", "seed", header.seed);
   file.write_attribute("/", "trials", header.trials);
   file.write_attribute("/", "block_trials", header.block_trials);
-  file.write_attribute("/", "trial_column_blocks", header.trial_column_blocks);
+  file.write_attribute("/", "kept_trials", header.kept_trials);
   file.write_attribute("/", "isa", header.isa);
   write_axes(file, header.axes);
   write_cells(file, header);
@@ -287,7 +287,9 @@ Header read_header(const hdf5::File& file) {
   header.seed = file.number_attribute("/", "seed");
   header.trials = file.number_attribute("/", "trials");
   header.block_trials = file.number_attribute("/", "block_trials");
-  header.trial_column_blocks = file.number_attribute("/", "trial_column_blocks");
+  header.kept_trials = file.has_attribute("/", "kept_trials")  // since version 2.0
+                           ? file.number_attribute("/", "kept_trials")
+                           : file.number_attribute("/", "trial_column_blocks") * header.block_trials;
   header.isa = file.text_attribute("/", "isa");
   require(header.block_trials > 0, file, "its blocks have no trials");
   read_schema(file, header);

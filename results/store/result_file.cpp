@@ -142,7 +142,7 @@ void append_stored(const hdf5::File& file, const Header& header, std::size_t cel
     has_metric.push_back(file.contains(fmt::format("{}/{}", group, metric.name)) ? 1 : 0);
   std::uint64_t offset = 0;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    list.push_back({cell, method, blocks[b], counts[b], group, has_status, has_metric, offset, offset});
+    list.push_back({cell, method, blocks[b], counts[b], counts[b], group, has_status, has_metric, offset, offset});
     offset += counts[b];
   }
 }

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
+#include <iterator>
 #include <limits>
 
 #include "core/error.hpp"
@@ -44,18 +46,33 @@ void write_provenance(hdf5::File& file, const Header& header, const Provenance& 
 
 using Columns = std::vector<const TrialColumns*>;
 
+/// Whether compressing a column pays: whole numbers, yes and no, and values of few trials, NaN in all others, have
+/// mantissas that end in zeros. Those of noise do not, and shrink by a tenth in ten times the time.
+bool is_compressible(const std::vector<double>& values) {
+  constexpr std::uint64_t lower_half = 0xffffffff;
+  const auto ends_in_zeros = [](double value) { return (std::bit_cast<std::uint64_t>(value) & lower_half) == 0; };
+  return 8 * std::ranges::count_if(values, ends_in_zeros) >= 7 * std::ssize(values);
+}
+
+bool is_compressible(const std::vector<std::uint8_t>&) {
+  return true;
+}
+
 /// Joins a column of all blocks; a block that lacks it while another has it is filled with `missing`.
 template <typename T, typename ColumnOf>
-void write_joined(hdf5::File& file, const std::string& path, const Columns& blocks, T missing, ColumnOf&& column_of,
-                  hdf5::Layout layout) {
+void write_joined(hdf5::File& file, const std::string& path, const Columns& blocks, T missing, ColumnOf&& column_of) {
   if (std::ranges::all_of(blocks, [&](const TrialColumns* block) { return column_of(*block).empty(); })) return;
   std::vector<T> joined;
+  std::size_t size = 0;
+  for (const TrialColumns* block : blocks) size += block->trials;
+  joined.reserve(size);
   for (const TrialColumns* block : blocks) {
     const std::vector<T>& column = column_of(*block);
     joined.insert(joined.end(), column.begin(), column.end());
     if (column.empty()) joined.insert(joined.end(), block->trials, missing);
   }
-  file.write(path, joined, {joined.size()}, layout);
+  file.write(path, joined, {joined.size()},
+             is_compressible(joined) ? hdf5::Layout::Compressed : hdf5::Layout::Contiguous);
 }
 
 void write_method_trials(hdf5::File& file, const Header& header, const Columns& blocks) {
@@ -70,13 +87,11 @@ void write_method_trials(hdf5::File& file, const Header& header, const Columns& 
   file.write(group + "/block", numbers);
   file.write(group + "/block_trials", counts);
   write_joined(
-      file, group + "/status", blocks, std::uint8_t{0}, [](const TrialColumns& c) -> auto& { return c.status; },
-      hdf5::Layout::Compressed);
+      file, group + "/status", blocks, std::uint8_t{0}, [](const TrialColumns& c) -> auto& { return c.status; });
   for (std::size_t m = 0; m < header.schema.metrics.size(); ++m)
     write_joined(
         file, fmt::format("{}/{}", group, header.schema.metrics[m].name), blocks,
-        std::numeric_limits<double>::quiet_NaN(), [m](const TrialColumns& c) -> auto& { return c.metrics[m]; },
-        hdf5::Layout::Contiguous);
+        std::numeric_limits<double>::quiet_NaN(), [m](const TrialColumns& c) -> auto& { return c.metrics[m]; });
 }
 
 /// Columns come sorted by method and block.

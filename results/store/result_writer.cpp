@@ -105,14 +105,13 @@ void ResultWriter::mark_present(const TrialColumns& columns) {
 
 std::vector<std::size_t> ResultWriter::missing_methods(std::size_t cell, std::uint64_t block, std::uint64_t trials,
                                                        const std::vector<std::size_t>& methods) const {
-  const bool keeps_columns = block < header_.trial_column_blocks;
+  const std::uint64_t kept = kept_trials(header_, block, trials);
   std::vector<std::size_t> missing;
   const std::lock_guard lock(state_mutex_);
   for (const std::size_t method : methods) {
     const Present& there = present_.at(cell * header_.methods.size() + method);
     const bool has_columns = !header_.methods[method].difference;
-    if (!there.blocks.contains(block, trials) ||
-        (keeps_columns && has_columns && !there.columns.contains(block, trials)))
+    if (!there.blocks.contains(block, trials) || (kept > 0 && has_columns && !there.columns.contains(block, kept)))
       missing.push_back(method);
   }
   return missing;

@@ -1,5 +1,8 @@
 #include "results/store/summary_group.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -79,7 +82,7 @@ std::vector<std::string> texts_of(const Axis& axis) {
   return texts;
 }
 
-void write_scale(hdf5::File& file, const Axis& axis) {
+void write_values(hdf5::File& file, const Axis& axis) {
   const std::string path = path_of(axis.name);
   if (std::ranges::any_of(axis.values, holds<std::string>)) {
     file.write(path, texts_of(axis));
@@ -88,8 +91,29 @@ void write_scale(hdf5::File& file, const Axis& axis) {
   } else {
     file.write(path, reals_of(axis));
   }
-  file.make_scale(path, axis.name);
   describe(file, axis.name, axis.unit, axis.description);
+}
+
+void write_scale(hdf5::File& file, const Axis& axis) {
+  write_values(file, axis);
+  file.make_scale(path_of(axis.name), axis.name);
+}
+
+constexpr const char* cell_dimension = "cell";
+
+Axis cell_axis(const Header& header) {
+  Axis axis{cell_dimension, "1", "number of the cell", {}};
+  for (std::size_t cell = 0; cell < header.cells.size(); ++cell)
+    axis.values.emplace_back(static_cast<std::int64_t>(cell));
+  return axis;
+}
+
+/// An axis of the sweep with its value in each cell.
+Axis along_cells(const Header& header, std::size_t a) {
+  Axis axis = header.axes[a];
+  axis.values.clear();
+  for (const CellInfo& cell : header.cells) axis.values.push_back(header.axes[a].values[cell.indices[a]]);
+  return axis;
 }
 
 Axis method_axis(const Header& header) {
@@ -104,45 +128,65 @@ Axis statistic_axis() {
   return axis;
 }
 
-/// Where the values of a cell begin, counted in methods.
+/// Whether every point of the grid that the axes span is a cell.
+bool fills_grid(const Header& header) {
+  std::size_t points = 1;
+  for (const Axis& axis : header.axes) {
+    points *= axis.values.size();
+    if (points > header.cells.size()) return false;
+  }
+  return points == header.cells.size();
+}
+
+/// Place of a cell on the grid, the last axis fastest.
 std::size_t grid_point(const Header& header, std::size_t cell) {
   std::size_t point = 0;
   for (std::size_t a = 0; a < header.axes.size(); ++a)
     point = point * header.axes[a].values.size() + header.cells[cell].indices[a];
-  return point * header.methods.size();
+  return point;
 }
 
 }  // namespace
 
 void write_summary(hdf5::File& file, const Summary& summary) {
   const Header& header = summary.header;
-  std::vector<Axis> axes = header.axes;
-  axes.push_back(method_axis(header));
-  axes.push_back(statistic_axis());
+  const bool is_grid = fills_grid(header);
+  std::vector<Axis> dimensions = is_grid ? header.axes : std::vector<Axis>{cell_axis(header)};
+  dimensions.push_back(method_axis(header));
+  dimensions.push_back(statistic_axis());
 
   file.create_group("/summary");
   hdf5::Shape shape;
-  std::size_t size = 1;
-  for (const Axis& axis : axes) {
-    write_scale(file, axis);
-    shape.push_back(axis.values.size());
-    size *= axis.values.size();
+  for (const Axis& dimension : dimensions) {
+    write_scale(file, dimension);
+    shape.push_back(dimension.values.size());
+  }
+  std::vector<std::string> coordinates;
+  for (std::size_t a = 0; a < header.axes.size() && !is_grid; ++a) {
+    write_values(file, along_cells(header, a));
+    file.attach_scale(path_of(header.axes[a].name), 0, path_of(cell_dimension));
+    coordinates.push_back(header.axes[a].name);
   }
 
   std::map<std::string, std::vector<double>> arrays;
-  const std::vector<double> nothing(size, std::numeric_limits<double>::quiet_NaN());
+  const std::size_t methods = header.methods.size();
+  const std::vector<double> nothing(header.cells.size() * methods * statistics.size(),
+                                    std::numeric_limits<double>::quiet_NaN());
   for (const SummaryRow& row : summary_rows(summary)) {
     std::vector<double>& array = arrays.try_emplace(row.metric, nothing).first->second;
-    std::size_t position = (grid_point(header, row.cell) + row.method) * statistics.size();
+    const std::size_t place = is_grid ? grid_point(header, row.cell) : row.cell;
+    std::size_t position = (place * methods + row.method) * statistics.size();
     for (const Statistic& statistic : statistics) array[position++] = statistic.value(row);
   }
 
   const auto write = [&](const std::string& name, const std::string& unit, const std::string& description) {
     const auto array = arrays.find(name);
-    file.write(path_of(name), array == arrays.end() ? nothing : array->second, shape);
+    file.write(path_of(name), array == arrays.end() ? nothing : array->second, shape, hdf5::Layout::Compressed);
     describe(file, name, unit, description);
-    for (std::size_t a = 0; a < axes.size(); ++a)
-      file.attach_scale(path_of(name), static_cast<std::uint32_t>(a), path_of(axes[a].name));
+    if (!coordinates.empty())
+      file.write_attribute(path_of(name), "coordinates", fmt::format("{}", fmt::join(coordinates, " ")));
+    for (std::size_t d = 0; d < dimensions.size(); ++d)
+      file.attach_scale(path_of(name), static_cast<std::uint32_t>(d), path_of(dimensions[d].name));
   };
   for (const MetricInfo& metric : header.schema.metrics) write(metric.name, metric.unit, metric.description);
   for (const EventInfo& event : header.schema.events) write(event.name, "1", event.description);

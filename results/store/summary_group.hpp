@@ -6,9 +6,10 @@
 
 namespace ridgeloc::results {
 
-/// Writes one dimension scale per sweep axis, "method" and "statistic", and for each metric and event an
-/// array over (axes..., method, statistic). Points of the grid that are no cell, and metrics that a method
-/// does not report, are NaN.
+/// Writes for each metric and event an array over (axes..., method, statistic), with a dimension scale per dimension.
+/// Where the cells do not fill the grid that the axes span, as in zipped sweeps, the array is over (cell, method,
+/// statistic) instead, and the axes are coordinates along "cell", which the attribute `coordinates` names as the CF
+/// conventions have it. So its size is always that of the cells. Metrics that a method does not report are NaN.
 void write_summary(hdf5::File& file, const Summary& summary);
 
 }  // namespace ridgeloc::results

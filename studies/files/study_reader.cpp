@@ -29,7 +29,7 @@ const Setting& study_setting(std::string_view name) {
       top.integer("seed", 2018, {0, int64_limit}, "seed of all random numbers"),
       top.integer("trials", 100, {1, static_cast<double>(max_trials)}, "trials per cell"),
       top.real("audit", 1e-4, {0, 1}, "1", "share of the trials that Ceres solves again"),
-      store.real("trial_columns_mib", 64, {0, 1e6}, "MiB", "per-trial columns kept of each cell"),
+      store.real("trial_columns_mib", 256, {0, 1e9}, "MiB", "per-trial columns kept of all cells together"),
   };
   return *std::ranges::find(settings, name, &Setting::name);
 }

@@ -135,7 +135,7 @@ std::string template_toml(const Experiment& experiment) {
   if (audit_metrics_of(experiment) > 0) {
     out += "audit = 0.0001  # share of the trials, besides the first 100 of a cell, that Ceres solves again; 0: none\n";
   }
-  out += "\n[store]\ntrial_columns_mib = 64.0  # per-trial columns kept of each cell (MiB)\n";
+  out += "\n[store]\ntrial_columns_mib = 256.0  # per-trial columns kept of all cells together (MiB)\n";
   for_each_setting(experiment, out, [&](const Setting& s) {
     const std::string unit = s.unit == "1" ? "" : fmt::format(" ({})", s.unit);
     const std::string condition = s.read_if.setting.empty() ? ""

@@ -110,9 +110,9 @@ results::Header make_header(const Study& study, const std::vector<Cell>& cells, 
   header.seed = study.seed;
   header.trials = study.trials;
   header.block_trials = study.experiment->block_trials();
-  header.trial_column_blocks = static_cast<std::uint64_t>(study.trial_columns_mib * core::mebibyte /
-                                                          static_cast<double>(bytes_per_trial(study))) /
-                               header.block_trials;
+  header.kept_trials =
+      static_cast<std::uint64_t>(study.trial_columns_mib * core::mebibyte /
+                                 static_cast<double>(bytes_per_trial(study)) / static_cast<double>(cells.size()));
   header.schema = study.experiment->schema();
   for (const SweepAxis& axis : study.sweep) {
     results::Axis out{axis.setting->name, axis.setting->unit, axis.setting->description, {}};

@@ -29,10 +29,10 @@ struct Study {
   std::string aims;  ///< what the study is to find out, for reports; may be empty
   const Experiment* experiment = nullptr;
   std::uint64_t seed = 2018;
-  std::uint64_t trials = 100;       ///< per cell
-  double audit = 1e-4;              ///< share of the trials that the reference solves again; 0: none at all
-  double trial_columns_mib = 64.0;  ///< per-trial columns kept of each cell
-  Values fixed;                     ///< every setting that is not swept
+  std::uint64_t trials = 100;        ///< per cell
+  double audit = 1e-4;               ///< share of the trials that the reference solves again; 0: none at all
+  double trial_columns_mib = 256.0;  ///< largest size of the per-trial columns of all cells together
+  Values fixed;                      ///< every setting that is not swept
   std::vector<SweepAxis> sweep;
   std::vector<std::vector<std::string>> zip;  ///< axes that move together instead of being crossed
   std::vector<Values> exclude;                ///< cells with all of these values are left out

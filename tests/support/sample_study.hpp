@@ -34,7 +34,7 @@ inline results::Header sample_header() {
   header.seed = 18446744073709551615u;
   header.trials = sample_trials;
   header.block_trials = sample_block_trials;
-  header.trial_column_blocks = 3;
+  header.kept_trials = 3 * sample_block_trials - 5;
   header.schema.metrics = {{"error_m", "m", "position error", true},
                            {"iterations", "1", "steps taken", false, true},
                            {"crb_m", "m", "Cramér-Rao bound", false}};

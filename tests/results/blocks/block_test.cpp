@@ -3,10 +3,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/same_bits.hpp"
 #include "tests/support/sample_study.hpp"
 
 using namespace ridgeloc;
@@ -40,7 +43,7 @@ TEST_CASE("a block is reduced to counts and statistics per method") {
   CHECK(rows[1].statistics.trials == 4);
 }
 
-TEST_CASE("columns are kept for the first blocks alone") {
+TEST_CASE("columns are kept for the first trials of a cell alone") {
   const Header header = tests::sample_header();
   const std::vector<TrialColumns> kept = filled().take_columns();
   REQUIRE(kept.size() == 1);
@@ -48,8 +51,29 @@ TEST_CASE("columns are kept for the first blocks alone") {
   CHECK(kept[0].metrics[0].size() == 4);
   CHECK(kept[0].metrics[0][3] == errors[3]);
   CHECK(kept[0].metrics[1].empty());
-  CHECK(filled(header.trial_column_blocks - 1).take_columns().size() == 1);
-  CHECK(filled(header.trial_column_blocks).take_columns().empty());
+  const auto kept_of_block = [](std::uint64_t kept_trials) {
+    Header few = tests::sample_header();
+    few.kept_trials = kept_trials;
+    BlockSink sink = tests::sample_block(few, 1, 1, few.block_trials);
+    return sink.take_columns();
+  };
+  const std::uint64_t block = header.block_trials;
+  CHECK(kept_of_block(block).empty());
+  const std::vector<TrialColumns> whole = kept_of_block(2 * block);
+  const std::vector<TrialColumns> part = kept_of_block(block + 3);
+  REQUIRE(part.size() == whole.size());
+  for (std::size_t m = 0; m < part.size(); ++m) {
+    CHECK(part[m].trials == 3);
+    CHECK(whole[m].trials == block);
+    CHECK(std::ranges::equal(part[m].status, std::span(whole[m].status).first(part[m].status.size())));
+    for (std::size_t k = 0; k < part[m].metrics.size(); ++k) {
+      CHECK(part[m].metrics[k].size() == (whole[m].metrics[k].empty() ? 0 : 3));
+      const std::vector<double> first(
+          whole[m].metrics[k].begin(),
+          whole[m].metrics[k].begin() + static_cast<std::ptrdiff_t>(part[m].metrics[k].size()));
+      CHECK(tests::same_bits(part[m].metrics[k], first));
+    }
+  }
 }
 
 TEST_CASE("the digest of a method changes with every value it was given") {

@@ -4,7 +4,8 @@
 Usage: read_documented_test.py PROGRAM PAGE READER...
 
 The code for a reader is the fenced block of the page that is labelled with its language and the reader's name. The
-block "make" writes the result, and "prints" is what the page says that all of them print.
+block "make" writes the results, and "prints" is what the page says that all of them print. A reader may have a second block
+for a sweep that is no grid, "<reader>_cells", which finds the same numbers there.
 """
 
 import csv
@@ -62,7 +63,9 @@ def main(program, page, *readers):
         numbers, unit = exported(folder, program)
         check("the page", documented["prints"][1], numbers, unit)
         for reader in readers:
-            check(reader, run(documented[reader], folder, program), numbers, unit)
+            for label in (reader, f"{reader}_cells"):
+                if label == reader or label in documented:
+                    check(label, run(documented[label], folder, program), numbers, unit)
 
 
 if __name__ == "__main__":

@@ -68,7 +68,7 @@ def check_ledger(file):
     ledger = file["ledger"]
     metrics = texts(file["metrics/name"])
     block_trials = int(file.attrs["block_trials"])
-    kept_blocks = int(file.attrs["trial_column_blocks"])
+    kept_trials = int(file.attrs["kept_trials"])
     rows = len(ledger["cell"])
     for cell in range(len(file["cells/hash"])):
         for method, label in enumerate(texts(file["methods/label"])):
@@ -77,14 +77,16 @@ def check_ledger(file):
             assert [ledger["first_block"][r] for r in mine] == [0, 4, 5]
             assert [ledger["blocks"][r] for r in mine] == [4, 1, 1]
             trials = file[f"trials/{cell}/{label}"]
-            assert list(trials["block"]) == list(range(kept_blocks))
+            assert list(trials["block"]) == [0, 1, 2]
+            assert list(trials["block_trials"]) == [block_trials, block_trials, kept_trials - 2 * block_trials]
             for m, name in enumerate(metrics):
                 counts = [sum(histogram(ledger, r, m, len(metrics)).values()) for r in mine]
                 assert counts == [ledger["n"][r, m] + ledger["beyond"][r, m] for r in mine]
                 if name not in trials:
                     assert sum(counts) == 0
                     continue
-                values = trials[name][: kept_blocks * block_trials]
+                values = trials[name][:]
+                assert len(values) == kept_trials
                 check_bins(values, histogram(ledger, mine[0], m, len(metrics)))
             digests = np.diff(ledger["digest_offset"][()])
             assert list(digests) == list(ledger["blocks"][()])
@@ -97,37 +99,40 @@ def histogram(ledger, row, metric, metrics):
 
 
 def check_bins(values, counts):
-    """Three of the row's four blocks are kept: each of their values is counted in its bin."""
+    """Most of the row's trials are kept: each of their values is counted in its bin."""
     for value in values[~np.isnan(values)]:
         bin_number = bin_of(value)
         assert counts.get(bin_number, 0) > 0, (value, bin_number)
 
 
 def check_summary(path, engine):
+    """One point of the grid is no cell, so the values are along cells, with the axes as coordinates."""
     with xr.open_dataset(path, group="summary", engine=engine) as summary:
-        assert summary.error_m.dims == ("points", "sigma_m", "method", "statistic")
-        assert list(summary.points.values) == [3, 4, 7]
+        assert summary.error_m.dims == ("cell", "method", "statistic")
+        assert list(summary.cell.values) == [0, 1, 2, 3, 4]
+        assert list(summary.points.values) == [3, 3, 4, 4, 7]
+        assert np.allclose(summary.sigma_m, [0.1, 1 / 3, 0.1, 1 / 3, 1 / 3], rtol=1e-15)
+        assert {"points", "sigma_m"} <= set(summary.error_m.coords)
         assert summary.points.attrs["long_name"] == "number of points"
         assert summary.error_m.attrs["units"] == "m"
         assert summary.error_m.attrs["long_name"] == "position error"
         assert set(summary.data_vars) == {
             "error_m", "iterations", "crb_m", "not_run", "converged", "diverged", "success"
         }
+        cells = summary.set_index(cell=["points", "sigma_m"])
         # As a mapping: `method=` is an argument of sel() itself.
-        point = summary.converged.sel({"points": 4, "method": "rrr k=0.5", "statistic": "mean"}).isel(sigma_m=0)
+        point = cells.sel({"cell": (4, 0.1), "method": "rrr k=0.5", "statistic": "mean"})
         with h5py.File(path) as file:
             ledger = file["ledger"]
             mine = (ledger["cell"][()] == 2) & (ledger["method"][()] == 1)
             rate = ledger["events"][()][mine, 1].sum() / ledger["trials"][()][mine].sum()
             n = ledger["n"][()][mine, 1]
             mean = (ledger["mean"][()][mine, 1] * n).sum() / n.sum()
-        assert math.isclose(float(point), rate, rel_tol=1e-12)
-        steps = summary.iterations.sel({"points": 4, "method": "rrr k=0.5", "statistic": "mean"}).isel(sigma_m=0)
-        assert math.isclose(float(steps), mean, rel_tol=1e-12)
-        # The point of the grid that is no cell, and what a method does not report, are NaN.
-        assert np.isnan(summary.error_m.sel(points=7).isel(sigma_m=0)).all()
+        assert math.isclose(float(point.converged), rate, rel_tol=1e-12)
+        assert math.isclose(float(point.iterations), mean, rel_tol=1e-12)
+        # What a method does not report is NaN.
         assert np.isnan(summary.converged.sel({"method": "scene"})).all()
-        assert float(summary.error_m.sel({"points": 3, "method": "ols", "statistic": "n"}).isel(sigma_m=1)) > 0
+        assert float(summary.error_m.sel({"method": "ols", "statistic": "n"})[1]) > 0
 
 
 def main(program):

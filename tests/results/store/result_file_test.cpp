@@ -50,7 +50,7 @@ TEST_CASE("a sealed result gives back its header") {
   CHECK(read.seed == header.seed);
   CHECK(read.trials == header.trials);
   CHECK(read.block_trials == header.block_trials);
-  CHECK(read.trial_column_blocks == header.trial_column_blocks);
+  CHECK(read.kept_trials == header.kept_trials);
   CHECK(read.isa == header.isa);
   CHECK(read.schema.statuses == header.schema.statuses);
   REQUIRE(read.schema.metrics.size() == header.schema.metrics.size());
@@ -142,12 +142,12 @@ TEST_CASE("a sealed result gives back the kept trials") {
   const Header header = tests::sample_header();
   tests::write_sample(folder / "r.h5", header);
   const TrialTable table = read_trials(folder / "r.h5", 3, 1);
-  REQUIRE(table.trial.size() == header.trial_column_blocks * header.block_trials);
+  REQUIRE(table.trial.size() == header.kept_trials);
   for (std::uint64_t t = 0; t < table.trial.size(); ++t) REQUIRE(table.trial[t] == t);
 
   std::vector<std::uint8_t> status;
   std::vector<double> error;
-  for (std::uint64_t block = 0; block < header.trial_column_blocks; ++block) {
+  for (std::uint64_t block = 0; block * header.block_trials < header.kept_trials; ++block) {
     const TrialColumns columns = tests::sample_block(header, 3, block).take_columns()[1];
     status.insert(status.end(), columns.status.begin(), columns.status.end());
     error.insert(error.end(), columns.metrics[0].begin(), columns.metrics[0].end());
@@ -169,7 +169,7 @@ TEST_CASE("a study without sweep and without kept trials is a result like any ot
   header.axes.clear();
   header.cells = {{"only", {}}};
   header.figures.clear();
-  header.trial_column_blocks = 0;
+  header.kept_trials = 0;
   tests::write_sample(folder / "r.h5", header);
   const Summary summary = read_result(folder / "r.h5");
   CHECK(summary.header.axes.empty());
@@ -177,6 +177,29 @@ TEST_CASE("a study without sweep and without kept trials is a result like any ot
   CHECK(read_trials(folder / "r.h5", 0, 0).trial.empty());
   const hdf5::File file = hdf5::File::open(folder / "r.h5");
   CHECK(file.shape("/summary/error_m") == hdf5::Shape{3, 25});
+}
+
+TEST_CASE("the summary is a grid where all its points are cells, and else as large as the cells") {
+  const tests::ScratchFolder folder;
+  const auto written = [&](const Header& header) {
+    tests::write_sample(folder / "r.h5", header);
+    return hdf5::File::open(folder / "r.h5");
+  };
+  Header header = tests::sample_header();
+  {
+    const hdf5::File file = written(header);
+    CHECK(file.shape("/summary/error_m") == hdf5::Shape{5, 3, 25});
+    CHECK(file.read<std::int64_t>("/summary/cell") == std::vector<std::int64_t>{0, 1, 2, 3, 4});
+    CHECK(file.read<std::int64_t>("/summary/points") == std::vector<std::int64_t>{3, 3, 4, 4, 7});
+    CHECK(file.read<double>("/summary/sigma_m") == std::vector<double>{0.1, 1.0 / 3.0, 0.1, 1.0 / 3.0, 1.0 / 3.0});
+    CHECK(file.text_attribute("/summary/error_m", "coordinates") == "points sigma_m");
+  }
+  header.cells.insert(header.cells.begin() + 4, {"c5", {2, 0}});
+  const hdf5::File file = written(header);
+  CHECK(file.shape("/summary/error_m") == hdf5::Shape{3, 2, 3, 25});
+  CHECK(file.read<std::int64_t>("/summary/points") == std::vector<std::int64_t>{3, 4, 7});
+  CHECK_FALSE(file.contains("/summary/cell"));
+  CHECK_FALSE(file.has_attribute("/summary/error_m", "coordinates"));
 }
 
 TEST_CASE("totals that have changed since the result was sealed are not read") {

@@ -12,11 +12,15 @@ using namespace ridgeloc::studies;
 
 namespace {
 
+Study swept_study(const std::string& sweep, const std::vector<std::string>& overrides = {}) {
+  return read_study({"demo", "demo.toml",
+                     "experiment = \"ranging\"\ntrials = 10000\n[sweep]\n" + sweep +
+                         "\n[[method]]\nsolver = \"rrr\"\n[[method]]\nsolver = \"ols\"\n"},
+                    overrides);
+}
+
 Plan plan(const std::string& sweep, const std::vector<std::string>& overrides = {}) {
-  return make_plan(read_study({"demo", "demo.toml",
-                               "experiment = \"ranging\"\ntrials = 10000\n[sweep]\n" + sweep +
-                                   "\n[[method]]\nsolver = \"rrr\"\n[[method]]\nsolver = \"ols\"\n"},
-                              overrides));
+  return make_plan(swept_study(sweep, overrides));
 }
 
 }  // namespace
@@ -47,6 +51,19 @@ TEST_CASE("blocks cover the trials of a cell, the last one in part") {
   CHECK(all.range(0).count == 4096);
   CHECK(all.range(2).first == 8192);
   CHECK(all.range(2).count == 10000 - 8192);
+}
+
+TEST_CASE("as many trials of each cell are kept as fit into the size for all, whatever the trials of the study") {
+  for (const char* sweep : {"points = [3]", "points = [3, 4, 5, 6]"}) {
+    for (const char* trials : {"trials=10", "trials=1000000"}) {
+      const Study s = swept_study(sweep, {trials, "store.trial_columns_mib=1"});
+      const Plan p = make_plan(s);
+      const std::uint64_t all = p.cells.size() * bytes_per_trial(s);
+      CHECK(p.header.kept_trials * all <= 1 << 20);
+      CHECK((p.header.kept_trials + 1) * all > 1 << 20);
+    }
+  }
+  CHECK(plan("points = [3]", {"store.trial_columns_mib=0"}).header.kept_trials == 0);
 }
 
 TEST_CASE("the study hash changes with what changes every number, and with nothing else") {

@@ -11,12 +11,13 @@ using namespace ridgeloc::studies;
 
 namespace {
 
-Pilot pilot_of(const std::string& text, double budget_s) {
+Pilot pilot_of(const std::string& text, double budget_s, int threads = 1) {
   const Study study = read_study({"pilot", "pilot.toml", "experiment = \"ranging\"\n" + text});
-  return run_pilot(study, make_plan(study), budget_s);
+  return run_pilot(study, make_plan(study), budget_s, *thread_queue(threads));
 }
 
-const std::string three_cells = "trials = 1000\naudit = 0\n[sweep]\npoints = [4, 6, 8]\n[[method]]\nsolver = \"ols\"\n";
+const std::string three_cells =
+    "trials = 10000\naudit = 0\n[sweep]\npoints = [4, 6, 8]\n[[method]]\nsolver = \"ols\"\n";
 
 }  // namespace
 
@@ -30,13 +31,26 @@ TEST_CASE("a pilot looks at all cells, each round at four times as many trials, 
   const Pilot pilot = pilot_of(three_cells, 60.0);
   CHECK(pilot.trials == 3 * (1 + 4 + 16 + 64 + 256 + 1024 + 4096));
   CHECK(pilot.seconds_per_trial > 0.0);
-  CHECK(pilot.seconds_per_cell == 0.0);
   CHECK(pilot.predicted_trials.empty());
+  REQUIRE(pilot.rows.size() == 6);  // of the solver and the scene
+  REQUIRE(pilot.columns.size() == 6);
+  for (std::size_t i = 0; i < 6; ++i) {
+    CHECK(pilot.rows[i].statistics.trials == 4096);
+    CHECK(pilot.columns[i].cell == pilot.rows[i].cell);
+    CHECK(pilot.columns[i].trials == 4096);
+  }
+}
+
+TEST_CASE("a pilot runs no more trials of a cell than the study, and with more workers than cells all of them") {
+  const std::string few = "trials = 20\naudit = 0\n[sweep]\npoints = [4, 6]\n[[method]]\nsolver = \"ols\"\n";
+  CHECK(pilot_of(few, 60.0).trials == 2 * (1 + 4 + 16));
+  CHECK(pilot_of(few, 60.0, 3).trials == 4 * (1 + 4 + 16));
 }
 
 TEST_CASE("a pilot says what the audit of a cell takes, and what a stop rule will ask for") {
+  const Pilot plain = pilot_of("trials = 1000\naudit = 0\n[[method]]\nsolver = \"ols\"\n", 0.2);
   const Pilot audited = pilot_of("trials = 1000\n[[method]]\nsolver = \"ols\"\n", 0.2);
-  CHECK(audited.seconds_per_cell > 0.0);
+  CHECK(audited.seconds_per_cell > plain.seconds_per_cell);
   const Pilot stopped = pilot_of(
       three_cells + "[stop]\nmetric = \"error_m\"\nrelative = 0.01\nmin_trials = 4096\nmax_trials = 1000000\n", 0.2);
   REQUIRE(stopped.predicted_trials.size() == 3);

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "results/blocks/block.hpp"
+#include "results/schema/schema.hpp"
+
+namespace ridgeloc::results {
+
+/// What it costs to write a result: `fixed` + cells * `per_cell` + bytes of the values of kept trials * `per_byte`.
+struct WritingCost {
+  struct Amount {
+    double seconds = 0.0;  ///< of one thread, waiting for the disk included
+    double bytes = 0.0;    ///< of the result on the disk
+  };
+  Amount fixed;
+  Amount per_cell;
+  Amount per_byte;
+  double bytes_per_trial = 0.0;  ///< of the values of a kept trial, over all methods
+
+  Amount of(double cells, double kept_trials) const;
+};
+
+/// Writes results into the folder for temporary files, as a run does its own, and removes them: one of the first cell,
+/// one of all cells with a single kept trial each, and one with all of their kept trials.
+/// Throws core::IoError if that cannot be. Precondition: `rows`, which are not empty, and `columns` are of one block
+/// each of some cells of the header, which keeps its trials, sorted by cell.
+WritingCost try_writing(Header header, std::vector<Row> rows, std::vector<TrialColumns> columns);
+
+}  // namespace ridgeloc::results

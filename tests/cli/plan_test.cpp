@@ -1,0 +1,71 @@
+// What `plan` says of the room and the time that a study takes.
+
+#include <regex>
+#include <string>
+
+#include "tests/cli/program.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace ridgeloc::tests;
+
+namespace {
+
+const std::string study = R"(experiment = "ranging"
+audit = 0
+[sweep]
+points = [3, 5]
+[[method]]
+solver = "ols"
+)";
+
+/// Bytes that a plan names in the line "disk".
+double bytes_of(const std::string& plan) {
+  std::smatch found;
+  REQUIRE(std::regex_search(plan, found, std::regex("disk +about ([0-9.]+) ([KM])iB")));
+  return std::stod(found[1]) * (found[2] == "K" ? 1024.0 : 1048576.0);
+}
+
+}  // namespace
+
+TEST_CASE("a plan says of how many trials values are kept, and run does where it is not all") {
+  const WorkingFolder folder;
+  folder.write("s.toml", study);
+  const auto plan = [&](const std::string& options) { return folder.ridgeloc("plan s.toml " + options).out; };
+  CHECK(contains(plan("--trials 1000"), "kept     the values of all trials: "));
+  const std::regex some(
+      "kept     the values of the first ([0-9]+) trials of each cell: [0-9.]+ [KM]iB, at most 1 MiB\n");
+  std::smatch kept;
+  const std::string text = plan("--trials 100000 --set store.trial_columns_mib=1");
+  INFO(text);
+  REQUIRE(std::regex_search(text, kept, some));
+  CHECK(contains(plan("--set store.trial_columns_mib=0"), "kept     no values of single trials\n"));
+
+  const Outcome run = folder.ridgeloc("run s.toml --trials 100000 --set store.trial_columns_mib=1 -o s.h5");
+  CHECK(contains(run.error, "s: keeps the values of the first " + kept[1].str() +
+                                " of 100000 trials of each cell, at most 1 MiB in all ([store] trial_columns_mib)\n"));
+  CHECK_FALSE(contains(folder.ridgeloc("run s.toml --trials 1000 -o all.h5").error, "keeps"));
+}
+
+TEST_CASE("a result is about as large as its plan says") {
+  const WorkingFolder folder;
+  folder.write("s.toml", study);
+  for (const char* options : {"--trials 20", "--trials 20000", "--trials 20000 --set store.trial_columns_mib=1"}) {
+    CAPTURE(options);
+    const double planned = bytes_of(folder.ridgeloc(std::string("plan s.toml ") + options).out);
+    REQUIRE(folder.ridgeloc(std::string("run s.toml -o s.h5 ") + options).exit_code == 0);
+    const double size = std::stod(folder.shell("stat -c %s s.h5; rm s.h5").out);
+    CHECK(planned < 1.5 * size);
+    CHECK(size < 1.5 * planned);
+  }
+}
+
+TEST_CASE("a plan of more than a year says that it is") {
+  const WorkingFolder folder;
+  folder.write("s.toml", study);
+  // 2 * 10^15 trials.
+  const std::string plan =
+      folder.ridgeloc("plan s.toml --trials 1e12 --set 'sweep.range_sigma_m={from=0.1,to=100,step=0.1}'").out;
+  INFO(plan);
+  CHECK(contains(plan, "  note     that is more than a year: "));
+  CHECK_FALSE(contains(folder.ridgeloc("plan s.toml").out, "year"));
+}
