@@ -98,7 +98,9 @@ class Compiler {
                          std::to_string(KFormula::most_characters) + " at most are allowed");
     }
     skip_spaces();
-    if (at_end()) throw FormulaError("it is empty: write a formula, for example \"p * sigma2 / sum(alpha^2)\"");
+    if (at_end())
+      throw FormulaError(
+          "a formula is missing, for example \"p * sigma2 / sum(alpha^2)\"; `ridgeloc list k` has the names");
     const Term result = read_sum();
     if (!at_end()) refuse_rest();
     formula_.result = instruction_of(result, 0);

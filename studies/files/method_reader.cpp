@@ -43,15 +43,13 @@ void check_condition(const toml::table& table, const Setting& setting, const Stu
     fail_at(*value, fmt::format("{} changes nothing in this [[method]]: it is read only if {} is {}", setting.name,
                                 setting.read_if.setting, choices));
   }
-  if (!depends_on_method(*study.experiment, setting)) return;
+  if (!depends_on_method(*study.experiment, setting) || setting.complaint == nullptr) return;
   const auto values = values_of(study, method, setting);
   if (std::ranges::find(values, Value(std::string())) == values.end()) return;
   const toml::node* const chosen = table.get(setting.read_if.setting);
-  fail_at(value != nullptr    ? *value
-          : chosen != nullptr ? *chosen
-                              : table,
-          fmt::format("{} = {} needs {} = \"...\": {}", setting.read_if.setting, choices, setting.name,
-                      setting.description));
+  const toml::node& place = chosen == nullptr ? table : *chosen;
+  fail_at(value == nullptr ? place : *value, fmt::format("{} = \"{}\" needs {}: {}", setting.read_if.setting, choices,
+                                                         setting.name, setting.complaint(std::string())));
 }
 
 /// A method without a name is called after its solver, and after a choice of its own that has a text beside it.

@@ -110,8 +110,10 @@ std::string resolved_toml(const Study& study) {
   out += fmt::format("\n[store]\ntrial_columns_mib = {}\n", to_toml(Value(study.trial_columns_mib)));
   for_each_setting(*study.experiment, out, [&](const Setting& setting) {
     const auto found = study.fixed.find(setting.name);
-    // An empty text is what nobody has written.
-    if (found != study.fixed.end() && found->second != Value(std::string()))
+    // A text that is empty unless somebody writes one.
+    const bool is_unwritten =
+        setting.standard == Value(std::string()) && found != study.fixed.end() && found->second == setting.standard;
+    if (found != study.fixed.end() && !is_unwritten)
       out += fmt::format("{} = {}\n", setting.name, to_toml(found->second));
   });
   write_sweep(study, out);

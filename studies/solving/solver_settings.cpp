@@ -127,7 +127,7 @@ std::vector<Option> make_options() {
              "scale the weights of rrr to a mean of 1"),
       entry("k", &O::k, s::k_estimator_registry(), "estimator of the ridge parameter K"),
       number("k_fixed", &O::k_fixed, {0, 1e12}, "1", "the constant of k = \"fixed\""),
-      formula("k_expr", "the formula of k = \"expr\", of the names and functions that `ridgeloc list k` lists"),
+      formula("k_expr", "formula of K"),
       choice("sigma2_source", &O::sigma2_source, s::sigma2_source_names,
              "variance in K: mean square after the least-squares step, linear over n - p, or sigma_prior_m"),
       choice("ridge_coords", &O::ridge_coordinates, s::ridge_coordinates_names,

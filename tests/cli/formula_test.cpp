@@ -1,15 +1,18 @@
 // A formula of K through the whole program.
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "tests/cli/program.hpp"
+#include "tests/cli/small_result.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace ridgeloc::tests;
 
 namespace {
 
-const std::string two_methods = R"(experiment = "ranging"
+const std::string two_methods = R"--(experiment = "ranging"
 trials = 3000
 audit = 0.02
 [sweep]
@@ -26,7 +29,7 @@ name = "error"
 x = "points"
 y = "error_all_m"
 group = "method"
-)";
+)--";
 
 /// Column `at` of the lines of a CSV text that have the method.
 std::vector<std::string> column(const std::string& csv, const std::string& method, std::size_t at) {

@@ -369,8 +369,8 @@ TEST_CASE("a formula asks for what it names and computes what it repeats once") 
 
 TEST_CASE("what is wrong with a formula is said, and where") {
   const auto [text, message] = GENERATE(table<std::string, std::string>({
-      {"", "it is empty: write a formula, for example"},
-      {" \n ", "it is empty"},
+      {"", "a formula is missing, for example \"p * sigma2"},
+      {" \n ", "a formula is missing"},
       {"sigma2 * tracee / n", "column 10: there is no \"tracee\""},
       {"sigma2 *\n  tracee", "line 2, column 3: there is no \"tracee\""},
       {"Sigma2", "column 1: there is no \"Sigma2\""},
@@ -433,7 +433,7 @@ TEST_CASE("a formula has a largest size") {
 
   // n, 2, n + 2, 3, n + 2 + 3, ...: sixteen numbers.
   std::string numbers = "n";
-  for (int i = 1; i <= 16; ++i) numbers += "+" + std::to_string(i);
+  for (int i = 1; i <= 16; ++i) numbers.append("+").append(std::to_string(i));
   CHECK(refusal(numbers) == "accepted");
   CHECK(refusal(numbers + "+ 16 + 1") == "accepted");
   CHECK(refusal(numbers + "+ 17").starts_with("column 41: here it has more than 16 different numbers"));

@@ -25,7 +25,7 @@ std::string method(const std::string& lines) {
 const std::string formula = "k = \"expr\"\nk_expr = \"sigma2 * trace / n\"\n";
 
 std::string content_of(const Study& study, std::size_t index = 0) {
-  return make_plan(study).header.methods[index].content;
+  return make_plan(study).header.methods[index].description;
 }
 
 }  // namespace
@@ -113,9 +113,10 @@ TEST_CASE("what is wrong with a formula in a study is said with its place") {
       {method("k = \"expr\"\nk_expr = \"sigma2 / (n - p\"\n"),
        "demo.toml:5: k_expr = 'sigma2 / (n - p' is not allowed: column 10: this \"(\" is not closed"},
       {method("k = \"expr\"\nk_expr = 3\n"), "demo.toml:5: k_expr = 3 is not allowed: k_expr takes a text"},
-      {method("k = \"expr\"\n"), "demo.toml:4: k = expr needs k_expr = \"...\": the formula of k = \"expr\""},
-      {method("k = \"expr\"\nk_expr = \"\"\n"), "demo.toml:5: k = expr needs k_expr = \"...\""},
-      {method("[solver]\nk = \"expr\"\n"), "demo.toml:2: k = expr needs k_expr = \"...\""},
+      {method("k = \"expr\"\n"),
+       "demo.toml:4: k = \"expr\" needs k_expr: a formula is missing, for example \"p * sigma2"},
+      {method("k = \"expr\"\nk_expr = \"\"\n"), "demo.toml:5: k = \"expr\" needs k_expr: a formula is missing"},
+      {method("[solver]\nk = \"expr\"\n"), "demo.toml:2: k = \"expr\" needs k_expr: a formula is missing"},
       {method("k_expr = \"n\"\n"),
        "demo.toml:4: k_expr changes nothing in this [[method]]: it is read only if k is expr"},
       {method("k = \"exp\"\n"), "(did you mean \"expr\"?)"},
