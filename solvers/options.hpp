@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "solvers/k_formula.hpp"
+
 namespace ridgeloc::solvers {
 
 /// Every choice is an enumeration and the names of its values in study files, in the same order.
@@ -162,6 +164,7 @@ struct SolverOptions {
 
   std::size_t k = 0;     ///< rr, rrr: index into `k_estimator_registry()`
   double k_fixed = 0.0;  ///< the constant of the estimator "fixed"
+  KFormula k_formula;    ///< the formula of the estimator "expr"
   Sigma2Source sigma2_source = Sigma2Source::NonlinearMs;
   RidgeCoordinates ridge_coordinates = RidgeCoordinates::Raw;
   RidgeAnchor ridge_anchor = RidgeAnchor::Current;

@@ -1,6 +1,7 @@
 #include "studies/listing.hpp"
 
 #include "sim/range_noise.hpp"
+#include "solvers/estimators/formula_compiler.hpp"
 #include "solvers/solver.hpp"
 #include "studies/catalog/building_maps.hpp"
 #include "studies/catalog/catalog.hpp"
@@ -17,6 +18,18 @@ template <class Registry>
 std::vector<Listed> entries_of(const Registry& registry) {
   std::vector<Listed> entries;
   for (const auto& entry : registry) entries.push_back({std::string(entry.name), std::string(entry.summary)});
+  return entries;
+}
+
+/// The estimators, and what formulas may be made of.
+std::vector<Listed> estimators_of_k() {
+  std::vector<Listed> entries = entries_of(solvers::k_estimator_registry());
+  const auto add = [&entries](const auto& names) {
+    for (const auto& entry : names)
+      entries.push_back({"k_expr: " + std::string(entry.name), std::string(entry.summary)});
+  };
+  add(solvers::formula_quantities());
+  add(solvers::formula_functions());
   return entries;
 }
 
@@ -66,7 +79,7 @@ const std::vector<std::string>& listing_topics() {
 
 std::vector<Listed> list_topic(std::string_view topic) {
   if (topic == "solvers") return entries_of(solvers::solver_registry());
-  if (topic == "k") return entries_of(solvers::k_estimator_registry());
+  if (topic == "k") return estimators_of_k();
   if (topic == "weights") return entries_of(solvers::weight_registry());
   if (topic == "noise") return entries_of(sim::noise_registry());
   if (topic == "maps") return maps();

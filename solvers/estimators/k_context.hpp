@@ -48,6 +48,14 @@ struct KDefaults {
   static constexpr bool is_scalar = true;
 };
 
+/// What an estimator asks for and gives, where it may depend on the options.
+struct KTraits {
+  bool needs_ols_step;
+  bool needs_squares;
+  bool needs_eigenvalues;
+  bool is_scalar;
+};
+
 /// alpha_i^2, floored.
 template <class Real, std::size_t P>
 core::Vector<Real, P> squared_alpha(const KContext<Real, P>& c) {

@@ -20,23 +20,40 @@ using RidgeMatrix = core::Symmetric<Real, P>;
 template <class Real, std::size_t P>
 using KKernel = void (*)(KContext<Real, P>&, RidgeMatrix<Real, P>&);
 
+/// What an estimator asks for: its class knows, or for a formula the options.
+template <class KEstimator, class Real>
+[[gnu::always_inline]] inline KTraits traits_of(const SolverOptions& options) {
+  if constexpr (requires { KEstimator::template traits<Real>(options); }) {
+    return KEstimator::template traits<Real>(options);
+  } else {
+    return {KEstimator::needs_ols_step, KEstimator::needs_squares, KEstimator::needs_eigenvalues,
+            KEstimator::is_scalar};
+  }
+}
+
 /// One estimator of K, with what all of them share: the choice of coordinates and the way back.
 template <class KEstimator, class Real, std::size_t P>
 void estimate_k(KContext<Real, P>& c, RidgeMatrix<Real, P>& out) {
+  const KTraits traits = traits_of<KEstimator, Real>(c.options);
   const auto diagonal = [&out](const core::Vector<Real, P>& k) {
     out = {};
     core::unroll<P>([&](auto i) { out(i, i) = k[i]; });
   };
   c.alpha = c.ols_step;
-  const bool canonical = KEstimator::needs_eigenvalues ||
-                         (KEstimator::needs_ols_step && c.options.ridge_coordinates == RidgeCoordinates::Canonical);
+  const bool canonical =
+      traits.needs_eigenvalues || (traits.needs_ols_step && c.options.ridge_coordinates == RidgeCoordinates::Canonical);
   if (!canonical) return diagonal(KEstimator{}(c));
 
   const auto eigen = core::symmetric_eigen(c.least_squares.matrix);
   c.eigenvalues = eigen.values;
   c.alpha = core::make_vector<P>([&](auto i) { return core::dot(eigen.vectors[i], c.ols_step); });
-  const core::Vector<Real, P> k = KEstimator{}(c);
-  if constexpr (KEstimator::is_scalar) {
+  core::Vector<Real, P> k;
+  if constexpr (requires { KEstimator{}(c, eigen); }) {
+    k = KEstimator{}(c, eigen);
+  } else {
+    k = KEstimator{}(c);
+  }
+  if (traits.is_scalar) {
     diagonal(k);
   } else {
     core::unroll<P>([&](auto i) {
@@ -67,22 +84,15 @@ KKernel<Real, P> k_kernel(std::size_t index) {
   return kernels[index];
 }
 
-/// What the estimator of an index asks for.
-struct KTraits {
-  bool needs_ols_step;
-  bool needs_squares;
-};
-template <class KEstimator>
-constexpr KTraits traits_of() {
-  return {KEstimator::needs_ols_step, KEstimator::needs_squares};
-}
+/// What the estimator that the options name asks for.
 template <class Real>
-const KTraits& k_traits(std::size_t index) {
+KTraits k_traits(const SolverOptions& options) {
+  using Traits = KTraits (*)(const SolverOptions&);
   static constexpr auto traits = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array{traits_of<std::tuple_element_t<I, KEstimators>>()...};
+    return std::array<Traits, sizeof...(I)>{traits_of<std::tuple_element_t<I, KEstimators>, Real>...};
   }
   (std::make_index_sequence<std::tuple_size_v<KEstimators>>{});
-  return traits[index];
+  return traits[options.k](options);
 }
 
 }  // namespace ridgeloc::solvers

@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "solvers/estimators/k_expr.hpp"
 #include "solvers/estimators/k_fixed.hpp"
 #include "solvers/estimators/k_gcv.hpp"
 #include "solvers/estimators/k_hk.hpp"
@@ -30,6 +31,6 @@ using KEstimators = std::tuple<KibriaGm,                    //
                                KhalafShukur,                //
                                Mk2, Mk3, Mk4, Mk5, Mk6,     //
                                GeneralizedCrossValidation,  //
-                               FixedK, OracleElem, OracleGm>;
+                               FixedK, OracleElem, OracleGm, KByFormula>;
 
 }  // namespace ridgeloc::solvers

@@ -57,7 +57,7 @@ struct RidgeMethod : MethodDefaults {
   Step<Real, Model::unknowns> step(const Model& model, const Vector& u, const Real& iteration, const Oracle* oracle,
                                    Memory&) const {
     constexpr std::size_t P = Model::unknowns;
-    const KTraits estimator = kind == RidgeKind::Paper ? traits_of<KibriaGm>() : k_traits<Real>(options.k);
+    const KTraits estimator = kind == RidgeKind::Paper ? traits_of<KibriaGm, Real>(options) : k_traits<Real>(options);
     const bool learns = estimator.needs_ols_step || (!plain && robust && options.irls_residual == IrlsResidual::Ols);
 
     NormalEquations<Real, P> equations;
@@ -184,9 +184,9 @@ struct Ridge : SolverDefaults {
 struct RidgeRegression : Ridge<false> {
   static constexpr std::string_view name = "rr";
   static constexpr std::string_view summary = "ridge regression with K estimated at every iteration";
-  static constexpr std::array<std::string_view, 11> option_names = {
-      "k",   "k_fixed",  "similarity",    "k_error",      "k_error_draw", "ktrue",
-      "eta", "ols_mode", "sigma2_source", "ridge_coords", "ridge_anchor"};
+  static constexpr std::array<std::string_view, 12> option_names = {
+      "k",     "k_fixed", "k_expr",   "similarity",    "k_error",      "k_error_draw",
+      "ktrue", "eta",     "ols_mode", "sigma2_source", "ridge_coords", "ridge_anchor"};
   static Objective objective(const SolverOptions& o) {
     return o.ridge_anchor == RidgeAnchor::Prior ? anchored : Objective(ReferenceLoss::WeightedSquares);
   }
@@ -195,10 +195,10 @@ struct RidgeRegression : Ridge<false> {
 struct RobustRidgeRegression : Ridge<true> {
   static constexpr std::string_view name = "rrr";
   static constexpr std::string_view summary = "robust ridge regression: reweighted residuals and K";
-  static constexpr std::array<std::string_view, 15> option_names = {
-      "k",          "k_fixed",       "similarity",       "k_error",      "k_error_draw", "ktrue",
-      "eta",        "ols_mode",      "sigma2_source",    "ridge_coords", "ridge_anchor", "theta_m",
-      "irls_min_n", "irls_residual", "normalize_weights"};
+  static constexpr std::array<std::string_view, 16> option_names = {
+      "k",       "k_fixed",    "k_expr",        "similarity",       "k_error",      "k_error_draw",
+      "ktrue",   "eta",        "ols_mode",      "sigma2_source",    "ridge_coords", "ridge_anchor",
+      "theta_m", "irls_min_n", "irls_residual", "normalize_weights"};
   static Objective objective(const SolverOptions& o) {
     if (o.ridge_anchor == RidgeAnchor::Prior) return anchored;
     if (o.normalize_weights == NormalizeWeights::On && o.v_mode == VMode::Prior)

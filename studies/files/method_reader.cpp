@@ -7,6 +7,7 @@
 #include "studies/files/sections.hpp"
 #include "studies/files/toml_document.hpp"
 #include "studies/study/capabilities.hpp"
+#include "studies/study/conditions.hpp"
 
 namespace ridgeloc::studies {
 
@@ -33,6 +34,34 @@ void check_label(const toml::node& node, const std::string& label, const Study& 
   }
 }
 
+/// Refuses a setting that is given and that the method does not read, and an empty text that it reads.
+void check_condition(const toml::table& table, const Setting& setting, const Study& study, const Method& method) {
+  const toml::node* const value = table.get(setting.name);
+  const std::string choices = fmt::format("{}", fmt::join(setting.read_if.choices, " or "));
+  if (!is_read(study, method, setting)) {
+    if (value == nullptr) return;
+    fail_at(*value, fmt::format("{} changes nothing in this [[method]]: it is read only if {} is {}", setting.name,
+                                setting.read_if.setting, choices));
+  }
+  if (!depends_on_method(*study.experiment, setting) || setting.complaint == nullptr) return;
+  const auto values = values_of(study, method, setting);
+  if (std::ranges::find(values, Value(std::string())) == values.end()) return;
+  const toml::node* const chosen = table.get(setting.read_if.setting);
+  const toml::node& place = chosen == nullptr ? table : *chosen;
+  fail_at(value == nullptr ? place : *value, fmt::format("{} = \"{}\" needs {}: {}", setting.read_if.setting, choices,
+                                                         setting.name, setting.complaint(std::string())));
+}
+
+/// A method without a name is called after its solver, and after a choice of its own that has a text beside it.
+std::string usual_label(const Method& method, const Study& study) {
+  for (const Setting& setting : study.experiment->settings()) {
+    const auto choice = method.given.find(setting.read_if.setting);
+    if (setting.kind == Kind::Text && choice != method.given.end() && is_read(study, method, setting))
+      return fmt::format("{} {}", method.solver, std::get<std::string>(choice->second));
+  }
+  return method.solver;
+}
+
 void read_method(const toml::table& table, Study& study) {
   const toml::node* solver = table.get("solver");
   if (solver == nullptr) {
@@ -46,22 +75,21 @@ void read_method(const toml::table& table, Study& study) {
   allowed.insert(allowed.end(), read.begin(), read.end());
   check_keys(table, fmt::format("[[method]] with solver \"{}\"", method.solver), allowed);
 
-  const toml::node* name = table.get("name");
-  method.label = name == nullptr ? method.solver : read_text(*name, "name");
-  check_label(name == nullptr ? *solver : *name, method.label, study);
-
   for (const Setting& setting : study.experiment->settings()) {
     const toml::node* value = table.get(setting.name);
     if (value == nullptr) continue;
     if (!study.fixed.contains(setting.name)) {
       fail_at(*value, fmt::format("\"{}\" is swept in [sweep] too; give it in one place", setting.name));
     }
-    if (!is_read(study, setting)) {
-      fail_at(*value, fmt::format("{} changes nothing in this [[method]]: it is read only if {} is {}", setting.name,
-                                  setting.read_if.setting, fmt::join(setting.read_if.choices, " or ")));
-    }
     method.given[setting.name] = read_setting(*value, setting, setting.name);
   }
+  for (const Setting& setting : study.experiment->settings()) {
+    if (std::ranges::find(read, setting.name) != read.end()) check_condition(table, setting, study, method);
+  }
+
+  const toml::node* name = table.get("name");
+  method.label = name == nullptr ? usual_label(method, study) : read_text(*name, "name");
+  check_label(name == nullptr ? *solver : *name, method.label, study);
   study.methods.push_back(std::move(method));
 }
 
@@ -83,11 +111,14 @@ void read_methods(const toml::table& document, const std::string& origin, Study&
   for (const SweepAxis& axis : study.sweep) {
     const bool read = std::ranges::any_of(study.methods, [&](const Method& m) {
       const auto settings = settings_read_for(*study.experiment, m.solver);
-      return std::ranges::find(settings, axis.setting->name) != settings.end();
+      return std::ranges::find(settings, axis.setting->name) != settings.end() && is_read(study, m, *axis.setting);
     });
     if (axis.setting->per_method && !read) {
+      const auto& [setting, choices] = axis.setting->read_if;
+      const std::string condition =
+          setting.empty() ? "" : fmt::format(": it is read only if {} is {}", setting, fmt::join(choices, " or "));
       fail_at(*document.get("sweep"),
-              fmt::format("sweep.{} changes nothing: no [[method]] reads it", axis.setting->name));
+              fmt::format("sweep.{} changes nothing: no [[method]] reads it{}", axis.setting->name, condition));
     }
   }
 }

@@ -10,9 +10,6 @@
 
 namespace ridgeloc::studies {
 
-/// Whether any cell of the study reads the setting. Needs sweep and sections.
-bool is_read(const Study& study, const Setting& setting);
-
 /// [sweep]: axes, zip and exclude.
 void read_sweep(const toml::table& document, Study& study);
 

@@ -15,6 +15,7 @@
 #include "studies/files/sections.hpp"
 #include "studies/files/toml_document.hpp"
 #include "studies/study/capabilities.hpp"
+#include "studies/study/conditions.hpp"
 #include "studies/study/setting_builders.hpp"
 
 namespace ridgeloc::studies {
@@ -91,10 +92,11 @@ double read_audit(const toml::table& document, const Experiment& experiment) {
   return audit;
 }
 
-/// Refuses axes that change nothing, and lists of samples that are read and not there.
+/// Refuses axes that change nothing, and lists of samples that are read and not there. What methods may choose for
+/// themselves is known only with them.
 void check_conditions(const toml::table& document, const std::string& origin, const Study& study) {
   for (const SweepAxis& axis : study.sweep) {
-    if (is_read(study, *axis.setting)) continue;
+    if (depends_on_method(*study.experiment, *axis.setting) || is_read(study, *axis.setting)) continue;
     const auto& [setting, choices] = axis.setting->read_if;
     fail_at(*document.get("sweep"), fmt::format("sweep.{} changes nothing: it is read only if {} is {}",
                                                 axis.setting->name, setting, fmt::join(choices, " or ")));
@@ -121,18 +123,6 @@ void refuse_files(const toml::node& node) {
 }
 
 }  // namespace
-
-bool is_read(const Study& study, const Setting& setting) {
-  if (setting.read_if.setting.empty()) return true;
-  const auto chosen = [&](const Value& value) {
-    return std::ranges::find(setting.read_if.choices, std::get<std::string>(value)) != setting.read_if.choices.end();
-  };
-  const auto fixed = study.fixed.find(setting.read_if.setting);
-  if (fixed != study.fixed.end()) return chosen(fixed->second);
-  return std::ranges::any_of(study.sweep, [&](const SweepAxis& axis) {
-    return axis.setting->name == setting.read_if.setting && std::ranges::any_of(axis.values, chosen);
-  });
-}
 
 StudySource find_study(std::string_view path_or_name) {
   if (const CatalogEntry* entry = find_in_catalog(path_or_name)) {

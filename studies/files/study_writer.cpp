@@ -55,7 +55,7 @@ std::string where_table(const Study& study, const results::AxisValues& where) {
   std::vector<std::string> parts;
   for (const auto& [name, texts] : where) {
     const auto axis = std::ranges::find(study.sweep, name, [](const SweepAxis& a) { return a.setting->name; });
-    const bool is_text = axis->setting->kind == Kind::Choice;
+    const bool is_text = axis->setting->kind == Kind::Choice || axis->setting->kind == Kind::Text;
     parts.push_back(
         fmt::format("{} = {}", name, is_text ? quoted_list(texts) : fmt::format("[{}]", fmt::join(texts, ", "))));
   }
@@ -110,7 +110,11 @@ std::string resolved_toml(const Study& study) {
   out += fmt::format("\n[store]\ntrial_columns_mib = {}\n", to_toml(Value(study.trial_columns_mib)));
   for_each_setting(*study.experiment, out, [&](const Setting& setting) {
     const auto found = study.fixed.find(setting.name);
-    if (found != study.fixed.end()) out += fmt::format("{} = {}\n", setting.name, to_toml(found->second));
+    // A text that is empty unless somebody writes one.
+    const bool is_unwritten =
+        setting.standard == Value(std::string()) && found != study.fixed.end() && found->second == setting.standard;
+    if (found != study.fixed.end() && !is_unwritten)
+      out += fmt::format("{} = {}\n", setting.name, to_toml(found->second));
   });
   write_sweep(study, out);
   for (const Method& method : study.methods) {

@@ -217,6 +217,10 @@ Value read_setting(const toml::node& node, const Setting& setting, const std::st
   if (setting.kind == Kind::Positions) return read_positions(node, setting, label);
   if (setting.kind == Kind::Building) return read_building(node, setting, label);
   auto value = read_value(node, setting);
+  if (value && setting.complaint != nullptr && *value != setting.standard) {
+    const std::string complaint = setting.complaint(std::get<std::string>(*value));
+    if (!complaint.empty()) fail_at(node, fmt::format("{} = {} is not allowed: {}", label, text_of(node), complaint));
+  }
   if (value) return *value;
   std::string hint;
   if (setting.kind == Kind::Choice && node.is_string()) {

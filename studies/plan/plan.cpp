@@ -12,6 +12,7 @@
 #include "studies/files/study_writer.hpp"
 #include "studies/study/capabilities.hpp"
 #include "studies/study/comparison.hpp"
+#include "studies/study/conditions.hpp"
 
 namespace ridgeloc::studies {
 
@@ -83,10 +84,13 @@ std::vector<Cell> make_cells(const Study& study) {
   return cells;
 }
 
-/// The settings that a method's solver reads, swept ones aside.
+/// The settings that a method's solver reads, swept ones aside, and those that what the method has chosen leaves
+/// unread.
 std::string method_content(const Study& study, const Method& method) {
   std::string content = fmt::format("solver = {}", method.solver);
   for (const std::string& name : settings_read_for(*study.experiment, method.solver)) {
+    const Setting& setting = setting_named(*study.experiment, name);
+    if (depends_on_method(*study.experiment, setting) && !is_read(study, method, setting)) continue;
     const auto given = method.given.find(name);
     const auto shared = study.fixed.find(name);
     if (given != method.given.end()) {

@@ -11,6 +11,7 @@
 #include "studies/plan/plan.hpp"
 #include "studies/study/capabilities.hpp"
 #include "studies/study/comparison.hpp"
+#include "studies/study/conditions.hpp"
 
 namespace ridgeloc::studies {
 
@@ -129,6 +130,8 @@ void unite_sweeps(Study& study, const Study& other) {
 /// A method of another study with all that it reads and that the first study has set otherwise.
 Method method_in(const Study& study, const Study& other, Method method) {
   for (const std::string& name : settings_read_for(*study.experiment, method.solver)) {
+    const Setting& setting = setting_named(*study.experiment, name);
+    if (depends_on_method(*study.experiment, setting) && !is_read(other, method, setting)) continue;
     const auto here = study.fixed.find(name);
     const auto there = other.fixed.find(name);
     if (method.given.contains(name) || here == study.fixed.end() || there == other.fixed.end()) continue;

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 
+#include "solvers/estimators/formula_compiler.hpp"
 #include "solvers/solver.hpp"
 #include "studies/study/setting_builders.hpp"
 
@@ -61,6 +62,32 @@ Option entry(const char* name, std::size_t SolverOptions::*member, const Registr
                 [member](SolverOptions& options, std::size_t i) { options.*member = i; });
 }
 
+/// What is wrong with a formula of K, or nothing.
+std::string complaint_about_formula(const std::string& text) {
+  try {
+    solvers::compile_k(text);
+    return {};
+  } catch (const solvers::FormulaError& error) {
+    std::string what = error.what();
+    if (error.unknown.empty()) return what;
+    const std::string nearest = nearest_name(error.unknown, error.candidates);
+    if (!nearest.empty()) return what + " (did you mean \"" + nearest + "\"?)";
+    for (std::size_t i = 0; i < error.candidates.size(); ++i)
+      what += (i == 0 ? " (allowed: " : ", ") + error.candidates[i];
+    return what + ")";
+  }
+}
+
+/// The formula of k = "expr", which methods choose for themselves.
+Option formula(const char* name, const char* description) {
+  Setting setting = read_if({"k", {"expr"}}, solver.text(name, "", description));
+  setting.complaint = complaint_about_formula;
+  return {setting, [](SolverOptions& options, const Value& value) {
+            const auto& text = std::get<std::string>(value);
+            if (!text.empty()) options.k_formula = solvers::compile_k(text);
+          }};
+}
+
 Option only_for_pseudoranges(Option option) {
   option.setting = read_if(for_pseudoranges, std::move(option.setting));
   return option;
@@ -100,6 +127,7 @@ std::vector<Option> make_options() {
              "scale the weights of rrr to a mean of 1"),
       entry("k", &O::k, s::k_estimator_registry(), "estimator of the ridge parameter K"),
       number("k_fixed", &O::k_fixed, {0, 1e12}, "1", "the constant of k = \"fixed\""),
+      formula("k_expr", "formula of K"),
       choice("sigma2_source", &O::sigma2_source, s::sigma2_source_names,
              "variance in K: mean square after the least-squares step, linear over n - p, or sigma_prior_m"),
       choice("ridge_coords", &O::ridge_coordinates, s::ridge_coordinates_names,

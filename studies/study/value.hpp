@@ -104,6 +104,9 @@ struct Setting {
   std::string description;
   bool per_method = false;  ///< may also stand in a [[method]]
   Condition read_if = {};   ///< sweeping it where nothing reads it is an error
+
+  /// Of a text besides the default: what is wrong with it, or empty; null where any text will do.
+  std::string (*complaint)(const std::string& text) = nullptr;
 };
 
 /// What the setting accepts, for messages and templates: "a number from 0 to 10", "one of: a, b".

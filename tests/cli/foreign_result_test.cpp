@@ -41,6 +41,8 @@ struct WithForeignResult : WorkingFolder {
 TEST_CASE("a result whose K is not in this program is shown all the same, and computing is refused in one line") {
   const auto [experiment, toml, missing] = GENERATE(table<std::string, std::string, std::string>(
       {{"ranging", study, "a.h5:4: k = 'mine' is not allowed"},
+       {"ranging", "experiment = \"ranging\"\n[[method]]\nsolver = \"rr\"\nk = \"expr\"\nk_expr = \"erf(n)\"\n",
+        "a.h5:5: k_expr = 'erf(n)' is not allowed: column 1: there is no \"erf\""},
        {"ranging", "experiment = \"ranging\"\n[[method]]\nsolver = \"mine\"\n", "a.h5:3: solver: unknown \"mine\""},
        {"mine", "experiment = \"mine\"\n", "a.h5:1: experiment: unknown \"mine\""}}));
   const WithForeignResult folder(experiment, toml);

@@ -1,5 +1,7 @@
 #include "tests/support/all_methods.hpp"
 
+#include "solvers/estimators/formula_compiler.hpp"
+
 namespace ridgeloc::tests {
 
 namespace {
@@ -10,6 +12,7 @@ SolverOptions basic_options() {
   SolverOptions options;
   options.k_fixed = 0.2;
   options.similarity = 0.8;
+  options.k_formula = solvers::compile_k("geomean(sigma2 / alpha^2)");
   return options;
 }
 
@@ -32,6 +35,16 @@ void add_ridge(List& list, const char* solver) {
     list.add(solver, "canonical " + std::string(estimators[k].name), [k](SolverOptions& o) {
       o.k = k;
       o.ridge_coordinates = solvers::RidgeCoordinates::Canonical;
+    });
+  }
+  // Together they have every quantity and every function.
+  for (const char* text :
+       {"0.3 * 0.5 ^ iteration * n / p", "min(sigma2 / alpha^2, 1e3) + 1e-3 * abs(gradient) * exp(-diagonal)",
+        "median(eigenvalues) * mean(alpha^2) / max(eigenvalues * alpha^-2) + squares^0.7 * log(n)",
+        "-max(sqrt(sigma2), 1e-3) * sum(alpha^3) / trace", "geomean(diagonal) * min(gradient^2)"}) {
+    list.add(solver, text, [text](SolverOptions& o) {
+      o.k = *solvers::find_k_estimator("expr");
+      o.k_formula = solvers::compile_k(text);
     });
   }
   list.add(solver, "dof", [](SolverOptions& o) { o.sigma2_source = solvers::Sigma2Source::Dof; });

@@ -7,6 +7,7 @@
 
 #include "sim/field_of_view.hpp"
 #include "sim/range_noise.hpp"
+#include "solvers/estimators/formula_compiler.hpp"
 #include "solvers/models/weight.hpp"
 #include "solvers/reference/ceres_reference.hpp"
 #include "tests/support/hand_scene.hpp"
@@ -109,6 +110,7 @@ std::vector<StepAtMinimizer> steps_at_minimizer(const char* solver, std::size_t 
     auto options = steps(1);
     options.k = *solvers::find_k_estimator(estimator.name);
     options.k_fixed = 0.1;
+    options.k_formula = solvers::compile_k("geomean(sigma2 / alpha^2)");
     const auto s = solve(solver, problems, options, &oracle);
     for (std::size_t t = 0; t < trials; ++t) {
       if (!minimizers[t].converged) continue;
