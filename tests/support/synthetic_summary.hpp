@@ -26,8 +26,8 @@ inline Statistics five_trials(double scale) {
   Statistics statistics;
   statistics.trials = 5;
   statistics.events = {4, 1, 5};
-  statistics.metrics = {statistics_of(std::vector{scale, 2 * scale, not_a_number, 3 * scale, 4 * scale}),
-                        statistics_of(std::vector{scale, 2 * scale, infinity, 3 * scale, 4 * scale})};
+  statistics.metrics = {statistics_of(std::vector{scale, 2 * scale, tests::not_a_number, 3 * scale, 4 * scale}),
+                        statistics_of(std::vector{scale, 2 * scale, tests::infinity, 3 * scale, 4 * scale})};
   return statistics;
 }
 
