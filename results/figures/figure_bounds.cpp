@@ -26,7 +26,7 @@ std::optional<SummaryRow> first_row(const Summary& summary, std::size_t cell, co
   return std::nullopt;
 }
 
-const char* statistic_text(BoundKind kind, bool has_bands) {
+const char* bound_kind_text(BoundKind kind, bool has_bands) {
   if (kind == BoundKind::RootMeanSquare) return "root mean square";
   return has_bands ? "median and quartiles" : "median";
 }
@@ -95,7 +95,7 @@ void FigureBounds::finish(FigureData& data) const {
     const std::string of = bound.group || line.label.empty() ? "" : fmt::format(" ({})", line.label);
     const bool is_bound = key.kind != BoundKind::None;
     const std::string text =
-        is_bound ? fmt::format("bound of unbiased estimates, {}{}", statistic_text(key.kind, has_bands), of)
+        is_bound ? fmt::format("bound of unbiased estimates, {}{}", bound_kind_text(key.kind, has_bands), of)
                  : "expected, with 95 % of the means";
     const auto [entry, is_new] = entries.try_emplace(text, data.bounds.size());
     if (is_new) data.bounds.push_back(text);

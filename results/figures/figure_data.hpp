@@ -52,10 +52,10 @@ struct FigureTick {
   std::string label;
 };
 
-/// How the lines of a figure are drawn.
 /// More bands in a panel would hide each other.
 inline constexpr std::size_t most_bands = 3;
 
+/// How the lines of a figure are drawn.
 enum class FigureStyle {
   Marks,  ///< marks with error bars, joined by lines
   Bands,  ///< lines alone, each within the band of its intervals

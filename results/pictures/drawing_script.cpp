@@ -107,7 +107,7 @@ std::string find_contours(const DrawnContours& contours, const DrawingWindow& wi
 }
 
 /// All that is written on the page outside of the plot, and the legend's samples, in coordinates of millimetres.
-std::string draw_page(const Drawing& drawing, const DrawingLayout& layout) {
+std::string drawing_page(const Drawing& drawing, const DrawingLayout& layout) {
   const Page page = page_of(layout);
   std::string script;
   const auto lines = [&](const std::vector<std::string>& texts, double x, double y, double height,
@@ -227,7 +227,7 @@ std::string drawing_script(const Drawing& drawing, FigureFormat format, const st
   if (drawing.contours && !drawing.contours->levels.empty()) script += find_contours(*drawing.contours, drawing.window);
   script += fmt::format("set terminal {} noenhanced\nset output {}\n", terminal(format, page_of(layout)),
                         gnuplot_string(output.string()));
-  return script + "unset key\nset multiplot\n" + draw_page(drawing, layout) + draw_plane(drawing, layout) +
+  return script + "unset key\nset multiplot\n" + drawing_page(drawing, layout) + draw_plane(drawing, layout) +
          "unset multiplot\nunset output\n";
 }
 

@@ -139,7 +139,7 @@ std::string draw_panel(const FloorPlan& plan, const PlanLayout& layout, const Pa
 }
 
 /// Title, legend, axis labels and footnote, in coordinates of millimetres.
-std::string draw_page(const FloorPlan& plan, const PlanLayout& layout, const Page& page) {
+std::string plan_page(const FloorPlan& plan, const PlanLayout& layout, const Page& page) {
   std::string script;
   double y = PageStyle::edge + PageStyle::line_height / 2.0;
   for (const std::string& line : layout.title) {
@@ -186,7 +186,7 @@ std::string floor_plan_script(const FloorPlan& plan, FigureFormat format, const 
     for (const DrawnPoint& p : outline) script += fmt::format("{} {}\n", p.x, p.y);
     script += "\n";
   }
-  script += "EOD\nunset key\nset multiplot\n" + draw_page(plan, layout, page);
+  script += "EOD\nunset key\nset multiplot\n" + plan_page(plan, layout, page);
   for (std::size_t i = 0; i < plan.panels.size(); ++i) script += draw_panel(plan, layout, page, i);
   return script + "unset multiplot\nunset output\n";
 }

@@ -14,7 +14,7 @@ namespace {
 
 using Counts = std::vector<std::uint64_t>;
 
-void require(bool condition, const hdf5::File& file, std::string_view what) {
+void require_failures(bool condition, const hdf5::File& file, std::string_view what) {
   if (!condition) throw core::IoError(fmt::format("{} is damaged: /failures {}", file.path().string(), what));
 }
 
@@ -47,18 +47,18 @@ FailureList read_failures(const hdf5::File& file, const Header& header) {
   const auto reason = file.read<std::uint8_t>("/failures/reason");
   const auto trial = file.read<std::uint64_t>("/failures/trial");
   const std::size_t size = trial.size();
-  require(cell.size() == size && method.size() == size && reason.size() == size, file,
-          "has datasets that differ in length");
+  require_failures(cell.size() == size && method.size() == size && reason.size() == size, file,
+                   "has datasets that differ in length");
   const std::size_t reasons = failure_reasons(header.schema).size();
   for (std::size_t begin = 0; begin < size;) {
     const FailureKey key{cell[begin], method[begin], reason[begin]};
-    require(key.cell < header.cells.size() && key.method < header.methods.size() && key.reason < reasons, file,
-            "names an unknown cell, method or reason");
+    require_failures(key.cell < header.cells.size() && key.method < header.methods.size() && key.reason < reasons, file,
+                     "names an unknown cell, method or reason");
     std::size_t end = begin;
     while (end < size && FailureKey{cell[end], method[end], reason[end]} == key) ++end;
     const Counts trials(trial.begin() + static_cast<std::ptrdiff_t>(begin),
                         trial.begin() + static_cast<std::ptrdiff_t>(end));
-    require(std::ranges::is_sorted(trials), file, "has trials out of order");
+    require_failures(std::ranges::is_sorted(trials), file, "has trials out of order");
     failures.insert(key, trials);
     begin = end;
   }

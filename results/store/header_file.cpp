@@ -126,7 +126,7 @@ void write_column(hdf5::File& file, const std::string& path, const std::vector<I
 }
 
 template <typename Info>
-void read_column(const hdf5::File& file, const std::string& path, std::vector<Info>& list, std::string Info::*member) {
+void read_members(const hdf5::File& file, const std::string& path, std::vector<Info>& list, std::string Info::*member) {
   std::vector<std::string> texts = file.read_text(path);
   if (list.empty()) list.resize(texts.size());
   require(list.size() == texts.size(), file, "the datasets of a list differ in length");
@@ -169,9 +169,9 @@ void write_schema(hdf5::File& file, const Header& header) {
 }
 
 void read_schema(const hdf5::File& file, Header& header) {
-  read_column(file, "/methods/label", header.methods, &MethodInfo::label);
-  read_column(file, "/methods/hash", header.methods, &MethodInfo::hash);
-  read_column(file, "/methods/description", header.methods, &MethodInfo::description);
+  read_members(file, "/methods/label", header.methods, &MethodInfo::label);
+  read_members(file, "/methods/hash", header.methods, &MethodInfo::hash);
+  read_members(file, "/methods/description", header.methods, &MethodInfo::description);
   if (file.contains("/methods/difference")) {  // since version 1.2
     const auto numbers = file.read<std::uint64_t>("/methods/difference");
     require(numbers.size() == 2 * header.methods.size(), file, "the datasets of /methods differ in length");
@@ -182,24 +182,24 @@ void read_schema(const hdf5::File& file, Header& header) {
       if (pair[0] != m || pair[1] != m) header.methods[m].difference = pair;
     }
   }
-  read_column(file, "/metrics/name", header.schema.metrics, &MetricInfo::name);
-  read_column(file, "/metrics/unit", header.schema.metrics, &MetricInfo::unit);
-  read_column(file, "/metrics/description", header.schema.metrics, &MetricInfo::description);
+  read_members(file, "/metrics/name", header.schema.metrics, &MetricInfo::name);
+  read_members(file, "/metrics/unit", header.schema.metrics, &MetricInfo::unit);
+  read_members(file, "/metrics/description", header.schema.metrics, &MetricInfo::description);
   for (const auto& [path, flag] : metric_flags) {
     if (!file.contains(path)) continue;  // of a later minor version than the file
     const auto values = file.read<std::uint8_t>(path);
     require(values.size() == header.schema.metrics.size(), file, "the datasets of /metrics differ in length");
     for (std::size_t m = 0; m < values.size(); ++m) header.schema.metrics[m].*flag = values[m] != 0;
   }
-  if (file.contains("/metrics/alarm")) read_column(file, "/metrics/alarm", header.schema.metrics, &MetricInfo::alarm);
-  if (file.contains("/metrics/bound")) read_column(file, "/metrics/bound", header.schema.metrics, &MetricInfo::bound);
+  if (file.contains("/metrics/alarm")) read_members(file, "/metrics/alarm", header.schema.metrics, &MetricInfo::alarm);
+  if (file.contains("/metrics/bound")) read_members(file, "/metrics/bound", header.schema.metrics, &MetricInfo::bound);
   if (file.contains("/metrics/chi_square")) {  // since version 1.4
     const auto freedoms = file.read<std::uint64_t>("/metrics/chi_square");
     require(freedoms.size() == header.schema.metrics.size(), file, "the datasets of /metrics differ in length");
     for (std::size_t m = 0; m < freedoms.size(); ++m) header.schema.metrics[m].chi_square = freedoms[m];
   }
-  read_column(file, "/events/name", header.schema.events, &EventInfo::name);
-  read_column(file, "/events/description", header.schema.events, &EventInfo::description);
+  read_members(file, "/events/name", header.schema.events, &EventInfo::name);
+  read_members(file, "/events/description", header.schema.events, &EventInfo::description);
   if (file.contains("/events/failure")) {  // since version 1.2
     const auto failures = file.read<std::uint8_t>("/events/failure");
     require(failures.size() == header.schema.events.size(), file, "the datasets of /events differ in length");

@@ -28,7 +28,7 @@ struct RowColumns {
   Counts digest_offset{0}, digest;
 };
 
-void append(RowColumns& columns, const MetricStatistics& metric) {
+void append_values(RowColumns& columns, const MetricStatistics& metric) {
   columns.n.push_back(metric.moments.n);
   columns.beyond.push_back(metric.beyond);
   columns.mean.push_back(metric.moments.mean);
@@ -44,7 +44,7 @@ void append(RowColumns& columns, const MetricStatistics& metric) {
   columns.histogram_offset.push_back(columns.histogram_count.size());
 }
 
-void append(RowColumns& columns, const Row& row, std::size_t events) {
+void append_values(RowColumns& columns, const Row& row, std::size_t events) {
   columns.cell.push_back(row.cell);
   columns.method.push_back(row.method);
   columns.first_block.push_back(row.first_block);
@@ -53,7 +53,7 @@ void append(RowColumns& columns, const Row& row, std::size_t events) {
   columns.reports_events.push_back(row.statistics.events.empty() ? 0 : 1);
   columns.events.insert(columns.events.end(), row.statistics.events.begin(), row.statistics.events.end());
   columns.events.resize(columns.cell.size() * events);
-  for (const MetricStatistics& metric : row.statistics.metrics) append(columns, metric);
+  for (const MetricStatistics& metric : row.statistics.metrics) append_values(columns, metric);
   columns.digest.insert(columns.digest.end(), row.digests.begin(), row.digests.end());
   columns.digest_offset.push_back(columns.digest.size());
 }
@@ -78,7 +78,7 @@ void visit(AnyColumns& columns, PerRow&& f, PerMetric&& g) {
   g("max", columns.max);
 }
 
-std::string path_of(const char* name) {
+std::string ledger_path(const char* name) {
   return fmt::format("/ledger/{}", name);
 }
 
@@ -97,7 +97,7 @@ void require_offsets(const hdf5::File& file, const Counts& offsets, std::size_t 
 std::vector<std::uint32_t> bins_before_2(const hdf5::File& file, const Counts& offsets, std::size_t total) {
   constexpr std::uint32_t last = 1921;
   constexpr std::uint32_t first_of_octave_minus_40 = (1023 - 40) * Histogram::bins_per_octave;
-  const auto first_bins = file.read<std::uint32_t>(path_of("histogram_first_bin"));
+  const auto first_bins = file.read<std::uint32_t>(ledger_path("histogram_first_bin"));
   if (first_bins.size() + 1 != offsets.size()) fail(file, "has histograms without a first bin");
   std::vector<std::uint32_t> bins;
   bins.reserve(total);
@@ -116,26 +116,26 @@ std::vector<std::uint32_t> bins_before_2(const hdf5::File& file, const Counts& o
 RowColumns read_columns(const hdf5::File& file, const Schema& schema) {
   RowColumns columns;
   const auto read = [&file](const char* name, auto& column, std::size_t size) {
-    column = file.read<typename std::decay_t<decltype(column)>::value_type>(path_of(name));
+    column = file.read<typename std::decay_t<decltype(column)>::value_type>(ledger_path(name));
     if (column.size() != size) fail(file, fmt::format("has {} values in {} instead of {}", column.size(), name, size));
   };
-  const std::size_t rows = file.read<std::uint64_t>(path_of("cell")).size();
+  const std::size_t rows = file.read<std::uint64_t>(ledger_path("cell")).size();
   const std::size_t metrics = schema.metrics.size();
   visit(
       columns, [&](const char* name, auto& column) { read(name, column, rows); },
       [&](const char* name, auto& column) { read(name, column, rows * metrics); });
   read("events", columns.events, rows * schema.events.size());
-  columns.histogram_offset = file.read<std::uint64_t>(path_of("histogram_offset"));
-  columns.histogram_count = file.read<std::uint64_t>(path_of("histogram_count"));
+  columns.histogram_offset = file.read<std::uint64_t>(ledger_path("histogram_offset"));
+  columns.histogram_count = file.read<std::uint64_t>(ledger_path("histogram_count"));
   const std::size_t bins = columns.histogram_count.size();
   require_offsets(file, columns.histogram_offset, rows * metrics, bins);
-  if (file.contains(path_of("histogram_bin"))) {
+  if (file.contains(ledger_path("histogram_bin"))) {
     read("histogram_bin", columns.histogram_bin, bins);
   } else {
     columns.histogram_bin = bins_before_2(file, columns.histogram_offset, bins);
   }
-  columns.digest_offset = file.read<std::uint64_t>(path_of("digest_offset"));
-  columns.digest = file.read<std::uint64_t>(path_of("digest"));
+  columns.digest_offset = file.read<std::uint64_t>(ledger_path("digest_offset"));
+  columns.digest = file.read<std::uint64_t>(ledger_path("digest"));
   require_offsets(file, columns.digest_offset, rows, columns.digest.size());
   return columns;
 }
@@ -178,13 +178,13 @@ Row row_at(const hdf5::File& file, const RowColumns& columns, const Header& head
 
 void write_ledger(hdf5::File& file, const Ledger& ledger, const Schema& schema) {
   RowColumns columns;
-  for (const Row& row : ledger.rows()) append(columns, row, schema.events.size());
+  for (const Row& row : ledger.rows()) append_values(columns, row, schema.events.size());
 
   const std::uint64_t rows = ledger.size();
   const auto write = [&file](const char* name, const auto& column, hdf5::Shape shape) {
     using Value = typename std::decay_t<decltype(column)>::value_type;
     const auto layout = std::is_same_v<Value, double> ? hdf5::Layout::Contiguous : hdf5::Layout::Compressed;
-    file.write(path_of(name), column, std::move(shape), layout);
+    file.write(ledger_path(name), column, std::move(shape), layout);
   };
   file.create_group("/ledger");
   visit(
@@ -197,7 +197,7 @@ void write_ledger(hdf5::File& file, const Ledger& ledger, const Schema& schema) 
   write("histogram_bin", columns.histogram_bin, {columns.histogram_bin.size()});
   write("histogram_count", columns.histogram_count, {columns.histogram_count.size()});
   write("digest_offset", columns.digest_offset, {columns.digest_offset.size()});
-  file.write(path_of("digest"), columns.digest);  // random bits: compression would only cost time
+  file.write(ledger_path("digest"), columns.digest);  // random bits: compression would only cost time
 }
 
 Ledger read_ledger(const hdf5::File& file, const Header& header) {

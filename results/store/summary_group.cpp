@@ -48,13 +48,13 @@ constexpr std::array<Statistic, 25> statistics = {{
     {"rms_trusted", [](const SummaryRow& row) { return row.rms_trusted ? 1.0 : 0.0; }},
 }};
 
-std::string path_of(const std::string& name) {
+std::string summary_path(const std::string& name) {
   return "/summary/" + name;
 }
 
 void describe(hdf5::File& file, const std::string& name, const std::string& unit, const std::string& description) {
-  file.write_attribute(path_of(name), "long_name", description);
-  file.write_attribute(path_of(name), "units", unit);
+  file.write_attribute(summary_path(name), "long_name", description);
+  file.write_attribute(summary_path(name), "units", unit);
 }
 
 template <typename T>
@@ -83,7 +83,7 @@ std::vector<std::string> texts_of(const Axis& axis) {
 }
 
 void write_values(hdf5::File& file, const Axis& axis) {
-  const std::string path = path_of(axis.name);
+  const std::string path = summary_path(axis.name);
   if (std::ranges::any_of(axis.values, holds<std::string>)) {
     file.write(path, texts_of(axis));
   } else if (std::ranges::all_of(axis.values, holds<std::int64_t>)) {
@@ -96,7 +96,7 @@ void write_values(hdf5::File& file, const Axis& axis) {
 
 void write_scale(hdf5::File& file, const Axis& axis) {
   write_values(file, axis);
-  file.make_scale(path_of(axis.name), axis.name);
+  file.make_scale(summary_path(axis.name), axis.name);
 }
 
 constexpr const char* cell_dimension = "cell";
@@ -164,7 +164,7 @@ void write_summary(hdf5::File& file, const Summary& summary) {
   std::vector<std::string> coordinates;
   for (std::size_t a = 0; a < header.axes.size() && !is_grid; ++a) {
     write_values(file, along_cells(header, a));
-    file.attach_scale(path_of(header.axes[a].name), 0, path_of(cell_dimension));
+    file.attach_scale(summary_path(header.axes[a].name), 0, summary_path(cell_dimension));
     coordinates.push_back(header.axes[a].name);
   }
 
@@ -181,12 +181,12 @@ void write_summary(hdf5::File& file, const Summary& summary) {
 
   const auto write = [&](const std::string& name, const std::string& unit, const std::string& description) {
     const auto array = arrays.find(name);
-    file.write(path_of(name), array == arrays.end() ? nothing : array->second, shape, hdf5::Layout::Compressed);
+    file.write(summary_path(name), array == arrays.end() ? nothing : array->second, shape, hdf5::Layout::Compressed);
     describe(file, name, unit, description);
     if (!coordinates.empty())
-      file.write_attribute(path_of(name), "coordinates", fmt::format("{}", fmt::join(coordinates, " ")));
+      file.write_attribute(summary_path(name), "coordinates", fmt::format("{}", fmt::join(coordinates, " ")));
     for (std::size_t d = 0; d < dimensions.size(); ++d)
-      file.attach_scale(path_of(name), static_cast<std::uint32_t>(d), path_of(dimensions[d].name));
+      file.attach_scale(summary_path(name), static_cast<std::uint32_t>(d), summary_path(dimensions[d].name));
   };
   for (const MetricInfo& metric : header.schema.metrics) write(metric.name, metric.unit, metric.description);
   for (const EventInfo& event : header.schema.events) write(event.name, "1", event.description);

@@ -42,11 +42,14 @@ double leading_number(const SummaryRow& row, const Measure& measure) {
 
 /// Whether the median of `a` is below that of `b` by more than z times what the standard error of their difference is
 /// at most, the sum of those that their intervals stand for. Fewer trials say little of intervals wider than these.
+/// An infinite median, of a method that mostly fails, is larger if its interval is infinite as a whole.
 bool has_smaller_median(const SummaryRow& a, const SummaryRow& b, double z) {
   constexpr std::uint64_t fewest_trials = 100;
+  if (std::min(a.n, b.n) < fewest_trials) return false;
+  if (std::isinf(b.p50_lo)) return std::isfinite(a.p50_hi);
   const double unit = two_sided_quantile(0.05);
   const double error = (a.p50_hi - a.p50) / unit + (b.p50 - b.p50_lo) / unit;
-  return std::min(a.n, b.n) >= fewest_trials && b.p50 - a.p50 > z * error;
+  return b.p50 - a.p50 > z * error;
 }
 
 /// A difference of two means and what its standard error is at most.

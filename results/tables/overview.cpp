@@ -42,7 +42,7 @@ std::string common_axes_text(const Header& header, const std::vector<std::size_t
   return common.empty() ? "" : wrapped_text("in every row: " + axes_text(header, common, cells.front()), summary_width);
 }
 
-std::string heading(const Summary& summary, const SummaryChoice& choice) {
+std::string overview_heading(const Summary& summary, const SummaryChoice& choice) {
   const Header& header = summary.header;
   const std::size_t solvers = solver_count(summary, whole(header).methods);
   return wrapped_text(header.title.empty() ? header.experiment : header.title, summary_width) +
@@ -111,7 +111,7 @@ std::string summary_overview(const Summary& summary, const SummaryChoice& choice
       section(method_table(summary, choice, measures), "", hint) +
       section(differences.table, "Differences on the same trials, first minus second: mean ± error", hint) +
       failure_section(summary, choice);
-  return heading(summary, choice) + tables + audit_line(summary, choice) +
+  return overview_heading(summary, choice) + tables + audit_line(summary, choice) +
          notes(tables, differences, choice.cells.size());
 }
 

@@ -110,7 +110,7 @@ std::string line_text(const Cells& cells, const std::array<std::size_t, columns>
   return line + "\n";
 }
 
-std::string heading(const Header& header) {
+std::string table_heading(const Header& header) {
   const bool any_yes_no = std::ranges::any_of(header.schema.metrics, &MetricInfo::yes_no);
   return fmt::format(
       "{}\n"
@@ -140,7 +140,7 @@ std::string summary_table(const Summary& of_methods, const SummaryChoice& choice
       for (std::size_t c = 0; c < columns; ++c) widths[c] = std::max(widths[c], display_width(cells[c]));
     }
   }
-  std::string text = heading(summary.header);
+  std::string text = table_heading(summary.header);
   if (!is_complete(of_methods)) text += completeness_text(of_methods) + "\n";
   for (const Block& block : blocks) {
     const std::string cell = cell_text(summary.header, block.cell);

@@ -45,10 +45,11 @@ template <class Real>
   return core::select(above, Real(formula_infinity), core::select(below, Real(0.0), core::exp(inside)));
 }
 
-/// x^y for x >= 0, otherwise NaN: its relative error is about that of y log x.
+/// x^y for x >= 0, otherwise NaN, but 1 for y = 0: its relative error is about that of y log x.
 template <class Real>
 Real formula_power(const Real& x, const Real& y) {
-  return formula_exp<Real>(y * formula_log<Real>(x));
+  const core::Mask<Real> is_zero = (y <= Real(0.0)) & (Real(0.0) <= y);
+  return core::select(is_zero, Real(1.0), formula_exp<Real>(y * formula_log<Real>(x)));
 }
 
 /// x^n by repeated multiplication.
@@ -72,6 +73,14 @@ template <class Real>
 [[gnu::always_inline]] inline Real formula_max(const Real& a, const Real& b) {
   const Real larger = core::select(a < b, b, a);
   return core::select(b <= b, larger, b);
+}
+
+/// The median, NaN where a component is.
+template <class Real, std::size_t P>
+[[gnu::always_inline]] inline Real formula_median(const core::Vector<Real, P>& values) {
+  core::Mask<Real> numbers = values[0] <= values[0];
+  core::unroll<P - 1>([&](auto i) { numbers = numbers & (values[i + 1] <= values[i + 1]); });
+  return core::select(numbers, median_of(values), Real(formula_nan));
 }
 
 /// (v_1 ... v_p)^(1/p): 0 where a component is, NaN where one is negative.

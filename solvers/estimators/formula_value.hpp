@@ -155,7 +155,7 @@ template <class Real, std::size_t P>
         *out = formula_geometric_mean(vector(instruction.a));
         break;
       case KOperation::Median:
-        *out = median_of(vector(instruction.a));
+        *out = formula_median(vector(instruction.a));
         break;
       case KOperation::Smallest:
         over_all([](const Real& x, const Real& y) { return formula_min(x, y); });

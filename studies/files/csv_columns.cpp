@@ -99,7 +99,7 @@ class Rows {
   std::size_t first_line_ = 1;
 };
 
-std::optional<double> number(std::string text, bool decimal_comma) {
+std::optional<double> number_in(std::string text, bool decimal_comma) {
   if (decimal_comma && std::ranges::count(text, ',') == 1 && text.find('.') == std::string::npos)
     text[text.find(',')] = '.';
   const char* begin = text.c_str() + (text.starts_with('+') ? 1 : 0);
@@ -143,7 +143,7 @@ std::vector<std::vector<double>> read_csv_columns(const std::filesystem::path& p
     }
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const std::string cell = positions[c] < cells.size() ? cells[positions[c]] : std::string();
-      const auto value = number(cell, rows.separator() != ',');
+      const auto value = number_in(cell, rows.separator() != ',');
       if (!value)
         throw core::InputError(fmt::format("{}: \"{}\" in column \"{}\" is not a number", place(), cell, columns[c]));
       values[c].push_back(*value);

@@ -52,7 +52,7 @@ std::optional<Wide> scaled(const Decimal& number, int exponent) {
 }
 
 /// value * 10^exponent, rounded once.
-double number(Wide value, int exponent) {
+double scaled_number(Wide value, int exponent) {
   std::array<char, 64> text{};
   char* at = text.data() + text.size();
   const auto put = [&](char c) { *--at = c; };
@@ -85,7 +85,7 @@ DecimalRange decimal_range(double from, double to, double step, std::size_t most
   const bool ahead = *last == *first || (*last < *first) == (*by < 0);
   Wide count = (*last - *first) / *by;
   if (!ahead || count >= static_cast<Wide>(most)) return range;
-  const auto at = [&](Wide i) { return number(*first + i * *by, exponent); };
+  const auto at = [&](Wide i) { return scaled_number(*first + i * *by, exponent); };
   // Numbers of 17 digits are written as something near them: what is read as `to` is `to`.
   if (at(count) != to && at(count + 1) == to) ++count;
   for (Wide i = 0; i <= count; ++i) range.values.push_back(at(i));

@@ -92,7 +92,7 @@ void apply_override(toml::table& document, const std::string& text) {
 }
 
 /// A finite number, whole or not.
-std::optional<double> number(const toml::node& node) {
+std::optional<double> number_of(const toml::node& node) {
   if (!node.is_number()) return std::nullopt;
   const double value = *node.value<double>();
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
@@ -125,7 +125,7 @@ std::optional<Value> read_value(const toml::node& node, const Setting& s) {
       return value && within(static_cast<double>(*value)) ? std::optional<Value>(*value) : std::nullopt;
     }
     case Kind::Real: {
-      const auto value = number(node);
+      const auto value = number_of(node);
       return value && within(*value) ? std::optional<Value>(*value) : std::nullopt;
     }
     case Kind::Choice: {
@@ -140,8 +140,8 @@ std::optional<Value> read_value(const toml::node& node, const Setting& s) {
     case Kind::Range: {
       const toml::array* pair = node.as_array();
       if (pair == nullptr || pair->size() != 2) return std::nullopt;
-      const auto low = number((*pair)[0]);
-      const auto high = number((*pair)[1]);
+      const auto low = number_of((*pair)[0]);
+      const auto high = number_of((*pair)[1]);
       const bool valid = low && high && within(*low) && within(*high) && *low <= *high;
       return valid ? std::optional<Value>(Interval{*low, *high}) : std::nullopt;
     }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # That check_includes.sh refuses what it is for: plants forbidden includes in a copy of the sources, one at a time.
-# Usage: check_refusals.sh SOURCE_DIR
+# The same for check_names.sh. Usage: check_refusals.sh SOURCE_DIR
 set -euo pipefail
 source_dir=$1
 check=$source_dir/tests/architecture/check_includes.sh
@@ -47,6 +47,21 @@ elif said=$(bash "$copy/circle.sh" "$copy" 2>&1) || [[ "$said" != *circle* ]]; t
   echo "a circle of rooms passes: $said" >&2
   failures=$((failures + 1))
 fi
+
+# So is a name that two anonymous namespaces of a room have, as a function, a type or a constant.
+names=$source_dir/tests/architecture/check_names.sh
+"$names" "$copy"
+for planted in 'int twice(int x) {' 'std::vector<int> twice(double) {' 'struct twice {' 'constexpr int twice = 2;'; do
+  for file in results/tables/csv.cpp results/tables/table.cpp; do
+    cp "$copy/$file" "$copy/original-${file##*/}"
+    printf 'namespace {\n%s\n}  // namespace\n' "$planted" >>"$copy/$file"
+  done
+  if said=$("$names" "$copy" 2>&1) || [[ "$said" != *"results/tables twice: csv.cpp table.cpp"* ]]; then
+    echo "a name that a room has twice passes: $planted: $said" >&2
+    failures=$((failures + 1))
+  fi
+  for file in results/tables/csv.cpp results/tables/table.cpp; do mv "$copy/original-${file##*/}" "$copy/$file"; done
+done
 
 ((failures == 0)) || exit 1
 echo "what is forbidden is refused"

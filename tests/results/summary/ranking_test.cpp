@@ -1,6 +1,8 @@
 #include "results/summary/ranking.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -112,6 +114,19 @@ TEST_CASE("where no mean exists, medians show what they can, and a mean as leadi
   CHECK(ranking->best != 2);
   CHECK(ranking->rivals.size() == 1);
   CHECK(ranking->rivals.front() != 2);
+}
+
+TEST_CASE("a method that mostly has no finite error is worse than one that has") {
+  std::mt19937_64 engine(19);
+  Summary summary = heavy_tailed(engine, 2000, 1.0);
+  std::vector<double> values(2000, 1.0);
+  std::fill(values.begin(), values.begin() + 1200, std::numeric_limits<double>::infinity());
+  summary.statistics[2].metrics[0] = statistics_of(values);
+  Measure measure = first_measure(summary);
+  measure.lead = Measure::Lead::Median;
+  const auto ranking = ranking_of(summary, 0, all, measure);
+  CHECK(ranking->best != 2);
+  CHECK(std::ranges::find(ranking->rivals, std::size_t{2}) == ranking->rivals.end());
 }
 
 TEST_CASE("equal medians are rivals: the best of three stands out by chance in at most 5 % of 1000 cells") {

@@ -286,6 +286,20 @@ TEST_CASE("a formula that names eigenvalues is in canonical coordinates, with al
   CHECK(problem.k("expr", options)(0, 0) == Approx(std::sqrt(1.125) + std::sqrt(0.125)));
 }
 
+TEST_CASE("the median of what is not a number is not one, wherever it stands") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  using Three = core::Vector<double, 3>;
+  CHECK(solvers::formula_median(Three{3.0, 1.0, 2.0}) == 2.0);
+  for (const Three& values : {Three{nan, 1.0, 2.0}, Three{1.0, nan, 2.0}, Three{1.0, 2.0, nan}})
+    CHECK(std::isnan(solvers::formula_median(values)));
+}
+
+TEST_CASE("anything to the power 0 is 1, be it known early or late") {
+  for (const double x : {0.0, 2.0, -2.0, infinity}) CHECK(solvers::formula_power(x, 0.0) == 1.0);
+  CHECK(value("0 ^ 0") == 1.0);
+  CHECK(value("0 ^ (n - n)") == 1.0);
+}
+
 TEST_CASE("functions of formulas know what to make of any number") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double tiny = std::numeric_limits<double>::denorm_min();
