@@ -296,8 +296,7 @@ TEST_CASE("the median of what is not a number is not one, wherever it stands") {
 
 TEST_CASE("anything to the power 0 is 1, be it known early or late") {
   for (const double x : {0.0, 2.0, -2.0, infinity}) CHECK(solvers::formula_power(x, 0.0) == 1.0);
-  CHECK(value("0 ^ 0") == 1.0);
-  CHECK(value("0 ^ (n - n)") == 1.0);
+  for (const char* text : {"0 ^ 0", "0 ^ (n - n)"}) CHECK(value(text) == 1.0);
 }
 
 TEST_CASE("functions of formulas know what to make of any number") {
