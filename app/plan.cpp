@@ -94,7 +94,7 @@ void print_storage(const studies::Study& study, const studies::Plan& plan, const
                        : fmt::format("the values of {}: {}, at most {:g} MiB", which,
                                      size_text(totals.kept * cost.bytes_per_trial), study.trial_columns_mib));
   const double digests =
-      static_cast<double>(totals.blocks) * static_cast<double>(plan.header.methods.size()) * sizeof(std::uint64_t);
+      static_cast<double>(totals.blocks) * static_cast<double>(plan.header.methods.size()) * bytes_per_block;
   const double bytes = cost.of(static_cast<double>(plan.cells.size()), totals.kept).bytes + digests;
   fmt::print("  disk     about {}, and as much again until its parts are sealed\n", size_text(bytes));
   const double free = free_bytes(".");

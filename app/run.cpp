@@ -147,7 +147,6 @@ bool run_job(const Request& request, const RunOptions& options, const std::atomi
   results::ResultClaim claim(request.output);
   const Job job = job_of(request, options);
   const int threads = options.study.threads;
-  require_room(job.study, job.plan, job.output);
   print_surplus(job);
   print_kept(job);
   for (const std::string& remark : job.plan.remarks) say(fmt::format("{}: note: {}\n", job.study.name, remark));
@@ -155,8 +154,10 @@ bool run_job(const Request& request, const RunOptions& options, const std::atomi
   studies::RunProgress progress;
   studies::RunOutcome outcome;
   try {
+    results::ResultWriter writer = studies::writer_of(job.study, job.plan, std::move(claim));
+    require_room(job, writer);
     const ProgressDisplay display(job.study.name, progress);
-    outcome = studies::run_study(job.study, job.plan, job.assignment, std::move(claim), *studies::thread_queue(threads),
+    outcome = studies::run_study(job.study, job.plan, job.assignment, writer, *studies::thread_queue(threads),
                                  build_provenance(), progress, stop);
   } catch (const core::IoError& error) {
     const fs::path parts = results::parts_folder(job.output);

@@ -44,13 +44,9 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-/// Bytes of the values themselves.
 double value_bytes(const std::vector<TrialColumns>& list) {
   std::size_t bytes = 0;
-  for (const TrialColumns& columns : list) {
-    bytes += columns.status.size();
-    for (const std::vector<double>& metric : columns.metrics) bytes += sizeof(double) * metric.size();
-  }
+  for (const TrialColumns& columns : list) bytes += columns.value_bytes();
   return static_cast<double>(bytes);
 }
 
