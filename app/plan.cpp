@@ -114,7 +114,16 @@ double print_plan(const studies::Study& study, core::Isa isa, int threads) {
   const Totals totals = totals_of(plan.header, cell_trials);
   const double most_trials = study.stop ? static_cast<double>(study.stop->max_trials) * cells : totals.trials;
   if (plan.header.kept_trials == 0) pilot.columns.clear();
-  const results::WritingCost cost = results::try_writing(plan.header, std::move(pilot.rows), std::move(pilot.columns));
+  // Not even a full disk for temporary files keeps from the rest of the plan.
+  results::WritingCost cost;
+  std::string not_reckoned;
+  try {
+    cost = results::try_writing(plan.header, std::move(pilot.rows), std::move(pilot.columns));
+  } catch (const core::IoError& error) {
+    not_reckoned = error.what();
+    cost.bytes_per_trial = static_cast<double>(studies::bytes_per_trial(study));
+    cost.per_byte.bytes = 1.0;
+  }
 
   print_contents(study, plan);
   print_trials(study, totals, most_trials);
@@ -142,6 +151,7 @@ double print_plan(const studies::Study& study, core::Isa isa, int threads) {
                studies::always_audited, study.audit);
   }
   print_storage(study, plan, totals, cost);
+  if (!not_reckoned.empty()) fmt::print("  note     writing is not reckoned: {}\n", not_reckoned);
   return seconds;
 }
 
