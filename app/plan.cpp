@@ -94,7 +94,7 @@ void print_storage(const studies::Study& study, const studies::Plan& plan, const
                        : fmt::format("the values of {}: {}, at most {:g} MiB", which,
                                      size_text(totals.kept * cost.bytes_per_trial), study.trial_columns_mib));
   const double digests =
-      static_cast<double>(totals.blocks) * static_cast<double>(plan.header.methods.size()) * sizeof(std::uint64_t);
+      static_cast<double>(totals.blocks) * static_cast<double>(plan.header.methods.size()) * bytes_per_block;
   const double bytes = cost.of(static_cast<double>(plan.cells.size()), totals.kept).bytes + digests;
   fmt::print("  disk     about {}, and as much again until its parts are sealed\n", size_text(bytes));
   const double free = free_bytes(".");
@@ -114,7 +114,16 @@ double print_plan(const studies::Study& study, core::Isa isa, int threads) {
   const Totals totals = totals_of(plan.header, cell_trials);
   const double most_trials = study.stop ? static_cast<double>(study.stop->max_trials) * cells : totals.trials;
   if (plan.header.kept_trials == 0) pilot.columns.clear();
-  const results::WritingCost cost = results::try_writing(plan.header, std::move(pilot.rows), std::move(pilot.columns));
+  // Not even a full disk for temporary files keeps from the rest of the plan.
+  results::WritingCost cost;
+  std::string not_reckoned;
+  try {
+    cost = results::try_writing(plan.header, std::move(pilot.rows), std::move(pilot.columns));
+  } catch (const core::IoError& error) {
+    not_reckoned = error.what();
+    cost.bytes_per_trial = static_cast<double>(studies::bytes_per_trial(study));
+    cost.per_byte.bytes = 1.0;
+  }
 
   print_contents(study, plan);
   print_trials(study, totals, most_trials);
@@ -142,6 +151,7 @@ double print_plan(const studies::Study& study, core::Isa isa, int threads) {
                studies::always_audited, study.audit);
   }
   print_storage(study, plan, totals, cost);
+  if (!not_reckoned.empty()) fmt::print("  note     writing is not reckoned: {}\n", not_reckoned);
   return seconds;
 }
 

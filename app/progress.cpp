@@ -37,9 +37,11 @@ std::size_t terminal_columns() {
 
 }  // namespace
 
-ProgressDisplay::ProgressDisplay(std::string name, const studies::RunProgress& progress)
+ProgressDisplay::ProgressDisplay(std::string name, const studies::RunProgress& progress, bool may_grow)
     : terminal_(is_terminal()),
-      thread_([this, name = std::move(name), &progress](const std::stop_token& stop) { show(stop, name, progress); }) {}
+      thread_([this, name = std::move(name), &progress, may_grow](const std::stop_token& stop) {
+        show(stop, name, progress, may_grow);
+      }) {}
 
 void ProgressDisplay::print_line(std::string line) const {
   if (!terminal_) return say(line + "\n");
@@ -47,8 +49,8 @@ void ProgressDisplay::print_line(std::string line) const {
   say(fmt::format("\r{}\x1b[K", line));
 }
 
-void ProgressDisplay::show(const std::stop_token& stop, const std::string& name,
-                           const studies::RunProgress& progress) const {
+void ProgressDisplay::show(const std::stop_token& stop, const std::string& name, const studies::RunProgress& progress,
+                           bool may_grow) const {
   std::mutex mutex;
   std::condition_variable_any wake;
   std::unique_lock lock(mutex);
@@ -59,8 +61,8 @@ void ProgressDisplay::show(const std::stop_token& stop, const std::string& name,
     const auto run = static_cast<double>(progress.trials_done.load());
     const double done = run + static_cast<double>(progress.trials_found.load());
     const auto total = static_cast<double>(std::max<std::uint64_t>(progress.trials_total.load(), 1));
-    // The last trials may be done while their part is still being written.
-    if (progress.is_writing.load() || done >= total) {
+    // The last trials may be done while their part is still being written. A stop rule may ask for more.
+    if (progress.is_writing.load() || (!may_grow && done >= total)) {
       print_line(fmt::format("{}: all trials are done, writing the result", name));
       continue;
     }

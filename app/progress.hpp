@@ -12,11 +12,13 @@ namespace ridgeloc::app {
 /// when the object does.
 class ProgressDisplay {
  public:
-  ProgressDisplay(std::string name, const studies::RunProgress& progress);
+  /// `may_grow`: a stop rule may ask for more trials than are known yet.
+  ProgressDisplay(std::string name, const studies::RunProgress& progress, bool may_grow);
 
  private:
   void print_line(std::string line) const;
-  void show(const std::stop_token& stop, const std::string& name, const studies::RunProgress& progress) const;
+  void show(const std::stop_token& stop, const std::string& name, const studies::RunProgress& progress,
+            bool may_grow) const;
 
   bool terminal_;
   std::jthread thread_;  // last: it reads the members above

@@ -108,11 +108,27 @@ void print_surplus(const Job& job) {
 /// Of which trials the values are kept, where it is not all of them.
 void print_kept(const Job& job) {
   const std::uint64_t kept = job.plan.header.kept_trials;
-  if (kept == 0 || kept >= job.plan.header.trials) return;
+  // A stop rule may need as many as it allows.
+  const std::uint64_t most = job.study.stop ? job.study.stop->max_trials : job.plan.header.trials;
+  if (kept == 0 || kept >= most) return;
   say(
-      fmt::format("{}: keeps the values of the first {} of {} trials of each cell, at most {:g} MiB in all ([store] "
+      fmt::format("{}: keeps the values of the first {} of {}{} trials of each cell, at most {:g} MiB in all ([store] "
                   "trial_columns_mib)\n",
-                  job.study.name, kept, job.plan.header.trials, job.study.trial_columns_mib));
+                  job.study.name, kept, job.study.stop ? "at most " : "", most, job.study.trial_columns_mib));
+}
+
+/// Of how many trials the sealed result loses the values.
+void print_dropped(const Job& job) {
+  if (!results::path_exists(job.output)) return;
+  const results::Header there = results::read_result_header(job.output);
+  const std::uint64_t most = job.study.stop ? job.study.stop->max_trials : there.trials;
+  const std::uint64_t before = std::min(there.kept_trials, most);
+  const std::uint64_t kept = std::min(job.plan.header.kept_trials, before);
+  if (kept == before) return;
+  say(
+      fmt::format("{}: drops the values of {} trials per cell, of up to {} that are there; a larger [store] "
+                  "trial_columns_mib keeps them\n",
+                  job.output.string(), before - kept, before));
 }
 
 /// Where finished blocks are: " in r.h5 and r.h5.parts".
@@ -147,16 +163,18 @@ bool run_job(const Request& request, const RunOptions& options, const std::atomi
   results::ResultClaim claim(request.output);
   const Job job = job_of(request, options);
   const int threads = options.study.threads;
-  require_room(job.study, job.plan, job.output);
   print_surplus(job);
   print_kept(job);
+  print_dropped(job);
   for (const std::string& remark : job.plan.remarks) say(fmt::format("{}: note: {}\n", job.study.name, remark));
   const auto begin = std::chrono::steady_clock::now();
   studies::RunProgress progress;
   studies::RunOutcome outcome;
   try {
-    const ProgressDisplay display(job.study.name, progress);
-    outcome = studies::run_study(job.study, job.plan, job.assignment, std::move(claim), *studies::thread_queue(threads),
+    results::ResultWriter writer = studies::writer_of(job.study, job.plan, std::move(claim));
+    require_room(job, writer);
+    const ProgressDisplay display(job.study.name, progress, job.study.stop.has_value());
+    outcome = studies::run_study(job.study, job.plan, job.assignment, writer, *studies::thread_queue(threads),
                                  build_provenance(), progress, stop);
   } catch (const core::IoError& error) {
     const fs::path parts = results::parts_folder(job.output);

@@ -22,8 +22,12 @@ std::uint64_t kept_trials(const Header& header, std::uint64_t block, std::uint64
 }
 
 std::size_t TrialColumns::bytes() const {
-  std::size_t bytes = sizeof(TrialColumns) + status.size();
-  for (const std::vector<double>& column : metrics) bytes += sizeof(column) + sizeof(double) * column.size();
+  return sizeof(TrialColumns) + sizeof(std::vector<double>) * metrics.size() + value_bytes();
+}
+
+std::size_t TrialColumns::value_bytes() const {
+  std::size_t bytes = status.size();
+  for (const std::vector<double>& column : metrics) bytes += sizeof(double) * column.size();
   return bytes;
 }
 

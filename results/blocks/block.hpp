@@ -23,7 +23,10 @@ struct TrialColumns {
   std::vector<std::uint8_t> status;          ///< empty: the method reports none
   std::vector<std::vector<double>> metrics;  ///< per `Schema::metrics`; empty: not given
 
+  /// Approximate memory in use.
   std::size_t bytes() const;
+  /// Of the values alone, which is what they take in a file.
+  std::size_t value_bytes() const;
 
   friend bool operator==(const TrialColumns&, const TrialColumns&) = default;
 };

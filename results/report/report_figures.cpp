@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <fstream>
@@ -7,7 +6,6 @@
 #include <optional>
 #include <regex>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "core/error.hpp"
@@ -22,28 +20,6 @@ namespace ridgeloc::results {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder for temporary files that goes with its object.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = temporary_name();
-    if (mkdtemp(name.data()) == nullptr)
-      throw core::IoError(fmt::format("cannot create '{}' for figures; set TMPDIR to a writable folder", name));
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// gnuplot's SVG as a part of a page: without the head of a file of its own, without titles, which browsers show as
 /// tooltips and which hold commands of gnuplot, and with names that no other figure has.

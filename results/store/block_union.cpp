@@ -35,17 +35,23 @@ void BlockUnion::add(BlockSource source) {
 }
 
 std::vector<TrialColumns> BlockUnion::columns(std::size_t cell) const {
-  std::vector<TrialColumns> all;
+  std::vector<std::pair<const std::filesystem::path*, const StoredColumns*>> there;
   for (const auto& [path, stored] : columns_[cell])
-    std::ranges::move(read_columns(path, header_.schema, stored), std::back_inserter(all));
-  // Of a block that is there twice the longer one comes first and counts, as in the ledger; equally long ones are
-  // equal: the ledger has compared their digests.
-  std::ranges::sort(all, [](const TrialColumns& a, const TrialColumns& b) {
-    return std::tuple(a.method, a.block, b.trials) < std::tuple(b.method, b.block, a.trials);
+    for (const StoredColumns& block : stored) there.emplace_back(&path, &block);
+  // Of a block that is there twice the one of which a file holds more trials comes first and counts, though both may be
+  // cut to as many; equally long ones are equal.
+  std::ranges::stable_sort(there, {}, [](const auto& place) {
+    return std::tuple(place.second->method, place.second->block, ~place.second->trials);
   });
-  const auto repeated =
-      std::ranges::unique(all, {}, [](const TrialColumns& c) { return std::tuple(c.method, c.block); });
-  all.erase(repeated.begin(), repeated.end());
+  const auto repeated = std::ranges::unique(
+      there, {}, [](const auto& place) { return std::tuple(place.second->method, place.second->block); });
+  there.erase(repeated.begin(), repeated.end());
+  std::map<std::filesystem::path, std::vector<StoredColumns>> counting;
+  for (const auto& [path, block] : there) counting[*path].push_back(*block);
+  std::vector<TrialColumns> all;
+  for (const auto& [path, stored] : counting)
+    std::ranges::move(read_columns(path, header_.schema, stored), std::back_inserter(all));
+  std::ranges::sort(all, {}, [](const TrialColumns& c) { return std::tuple(c.method, c.block); });
   return all;
 }
 

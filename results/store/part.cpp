@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -22,11 +23,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* filetype = "ridgeloc-part";
-constexpr std::uint64_t format_version = 3;
+constexpr std::uint64_t format_version = 4;
 
 /// Hexadecimal digits of the XXH3 that ends a part file. Parts are read once or twice, by the program that wrote them:
 /// what has to be found is damage, and SHA-256 would take longer than all else.
 constexpr std::uintmax_t checksum_size = 16;
+
+/// Up to version 3 it was SHA-256.
+constexpr std::uintmax_t checksum_size_before = 64;
 
 core::IoError damaged(const fs::path& path, std::string_view reason) {
   return core::IoError(fmt::format("{} is damaged: {}", path.string(), reason));
@@ -55,10 +59,32 @@ void append_checksum(const fs::path& path) {
   if (!content || !file) throw core::IoError(fmt::format("cannot write the checksum of {}", path.string()));
 }
 
+std::string ending_of(const fs::path& path, std::uintmax_t size, std::uintmax_t length) {
+  std::string ending(std::min(size, length), '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(size - ending.size()));
+  file.read(ending.data(), static_cast<std::streamsize>(ending.size()));
+  return file ? ending : std::string();
+}
+
+/// Whether a file ends as parts did up to version 3. HDF5 content before a checksum of now does not end in 48 digits.
+bool ends_as_before(const fs::path& path, std::uintmax_t size) {
+  const std::string ending = ending_of(path, size, checksum_size_before);
+  return ending.size() == checksum_size_before && ending.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+core::InputError of_other_version(const fs::path& path, const std::string& version) {
+  return core::InputError(
+      fmt::format("{} has format version {}, this program writes {}; finish with the program that began, "
+                  "or delete the folder",
+                  path.string(), version, format_version));
+}
+
 void require_intact(const fs::path& path) {
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
   if (error || size < checksum_size) throw damaged(path, "it is too short");
+  if (ends_as_before(path, size)) throw of_other_version(path, "3 or older");
   std::ifstream file(path, std::ios::binary);
   const std::string computed = checksum_of(file, size - checksum_size);
   std::string stored(checksum_size, '\0');
@@ -99,7 +125,7 @@ void write_columns(hdf5::File& file, const std::vector<TrialColumns>& list, std:
   file.write("/columns/value", values);
 }
 
-std::vector<StoredColumns> read_stored(const hdf5::File& file, std::size_t metrics) {
+std::vector<StoredColumns> read_stored(const hdf5::File& file, std::size_t metrics, std::uint64_t block_trials) {
   const auto cell = file.read<std::uint64_t>("/columns/cell");
   const auto method = file.read<std::uint64_t>("/columns/method");
   const auto block = file.read<std::uint64_t>("/columns/block");
@@ -110,6 +136,11 @@ std::vector<StoredColumns> read_stored(const hdf5::File& file, std::size_t metri
   if (method.size() != size || block.size() != size || trials.size() != size || has_status.size() != size ||
       has_metric.size() != size * metrics)
     throw damaged(file.path(), "the datasets of /columns differ in length");
+  const auto is_flag = [](std::uint8_t flag) { return flag <= 1; };
+  // Offsets are sums of products of these: none may wrap.
+  if (std::ranges::any_of(trials, [&](std::uint64_t n) { return n > block_trials; }) ||
+      !std::ranges::all_of(has_status, is_flag) || !std::ranges::all_of(has_metric, is_flag))
+    throw damaged(file.path(), "/columns says what no block has");
   std::vector<StoredColumns> list;
   std::uint64_t status_offset = 0;
   std::uint64_t value_offset = 0;
@@ -132,10 +163,7 @@ hdf5::File open_part(const fs::path& path) {
   hdf5::File file = hdf5::File::open(path);
   if (file.text_attribute("/", "filetype") != filetype) throw damaged(path, "it is not a part of a result");
   if (const std::uint64_t version = file.number_attribute("/", "version"); version != format_version)
-    throw core::InputError(
-        fmt::format("{} has format version {}, this program writes {}; finish with the program that began, "
-                    "or delete the folder",
-                    path.string(), version, format_version));
+    throw of_other_version(path, std::to_string(version));
   return file;
 }
 
@@ -168,7 +196,7 @@ BlockSource read_part_blocks(const fs::path& path, const Header& wanted) {
   const Header found = read_header(file);
   require_same_study(found, wanted, path.parent_path().string());
   BlockSource source{path, read_ledger(file, found), read_failures(file, found),
-                     read_stored(file, found.schema.metrics.size())};
+                     read_stored(file, found.schema.metrics.size(), found.block_trials)};
   renumber(source, found, wanted);
   return source;
 }

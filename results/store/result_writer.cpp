@@ -128,6 +128,11 @@ std::uint64_t ResultWriter::blocks_there(std::size_t cell, std::uint64_t trials,
   return fewest;
 }
 
+std::uint64_t ResultWriter::values_there(std::size_t cell, std::uint64_t trials, std::size_t method) const {
+  const std::lock_guard lock(state_mutex_);
+  return present_.at(cell * header_.methods.size() + method).columns.count(trials, header_.block_trials);
+}
+
 ResultWriter::Extent ResultWriter::extent(std::size_t cell, std::uint64_t trials,
                                           const std::vector<std::size_t>& methods) const {
   Extent extent{std::numeric_limits<std::uint64_t>::max(), 0};

@@ -27,7 +27,8 @@ namespace ridgeloc::results {
 /// The data of the result do not depend on the order of blocks, on how they fell into parts, or on interruptions. If
 /// anything fails, the finished parts stay and the same study goes on from there.
 ///
-/// `missing_methods`, `blocks_there`, `extent`, `statistics`, `add` and `flush` may be called from any thread.
+/// `missing_methods`, `blocks_there`, `values_there`, `extent`, `statistics`, `add` and `flush` may be called from any
+/// thread.
 class ResultWriter {
  public:
   /// Takes over what the result holds and what a stopped run has left. All of that must be of the study that the header
@@ -54,6 +55,9 @@ class ResultWriter {
 
   /// How many of the blocks that `trials` trials of a cell make are there; of the method that has the fewest.
   std::uint64_t blocks_there(std::size_t cell, std::uint64_t trials, const std::vector<std::size_t>& methods) const;
+
+  /// The same of the values of the first `trials` trials; of a method that gives none there are none.
+  std::uint64_t values_there(std::size_t cell, std::uint64_t trials, std::size_t method) const;
 
   /// How far a cell is for some methods: how many of the blocks that `trials` trials make all have from the first on
   /// without a gap (more if there are more whole ones), and one past the last block that any has.

@@ -1,18 +1,13 @@
 #include "results/store/writing_cost.hpp"
 
-#include <fmt/format.h>
-#include <stdlib.h>
-
 #include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <filesystem>
 #include <limits>
-#include <system_error>
 #include <utility>
 
 #include "core/elapsed.hpp"
-#include "core/error.hpp"
 #include "results/store/block_union.hpp"
 #include "results/store/part.hpp"
 #include "results/store/result_seal.hpp"
@@ -23,34 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = temporary_name();
-    if (mkdtemp(name.data()) == nullptr)
-      throw core::IoError(fmt::format("cannot create a temporary folder {}; set TMPDIR to a writable one", name));
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+/// Bytes of values that are written at most to try it.
+constexpr std::size_t most_value_bytes = std::size_t{32} << 20;
 
-  fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
-
-/// Bytes of the values themselves.
 double value_bytes(const std::vector<TrialColumns>& list) {
   std::size_t bytes = 0;
-  for (const TrialColumns& columns : list) {
-    bytes += columns.status.size();
-    for (const std::vector<double>& metric : columns.metrics) bytes += sizeof(double) * metric.size();
-  }
+  for (const TrialColumns& columns : list) bytes += columns.value_bytes();
   return static_cast<double>(bytes);
 }
 
@@ -76,14 +49,14 @@ Measured written(const Header& header, const Part& part) {
     const TemporaryFolder folder;
     const auto begin = std::chrono::steady_clock::now();
     const std::clock_t processor_begin = std::clock();
-    write_part(folder / "part.h5", header, part);
+    write_part(folder.path() / "part.h5", header, part);
     BlockUnion blocks(header);
-    blocks.add(read_part_blocks(folder / "part.h5", header));
-    write_result(folder / "result.h5", header, blocks, {});
+    blocks.add(read_part_blocks(folder.path() / "part.h5", header));
+    write_result(folder.path() / "result.h5", header, blocks, {});
     least.wall_s = std::min(least.wall_s, core::seconds_since(begin));
     const auto ticks = static_cast<double>(std::clock() - processor_begin);
     least.processor_s = std::min(least.processor_s, ticks / static_cast<double>(CLOCKS_PER_SEC));
-    least.bytes = static_cast<double>(fs::file_size(folder / "result.h5"));
+    least.bytes = static_cast<double>(fs::file_size(folder.path() / "result.h5"));
   }
   return least;
 }
@@ -126,15 +99,19 @@ WritingCost try_writing(Header header, std::vector<Row> rows, std::vector<TrialC
     few.ledger.insert(row);
     all.ledger.insert(std::move(row));
   }
+  double bytes = 0.0;
+  std::size_t room = most_value_bytes;
   for (TrialColumns& kept : columns) {
     kept.cell = place_of(kept.cell);
     few.columns.push_back(beginning(kept));
     if (kept.cell == 0) one.columns.push_back(few.columns.back());
-    all.columns.push_back(std::move(kept));
+    bytes += static_cast<double>(kept.value_bytes());
+    // Beyond what is tried, the first trial alone.
+    all.columns.push_back(kept.value_bytes() <= room ? std::move(kept) : few.columns.back());
+    room -= std::min(room, all.columns.back().value_bytes());
   }
 
-  const double bytes = value_bytes(all.columns);
-  const double more_bytes = bytes - value_bytes(few.columns);
+  const double more_bytes = value_bytes(all.columns) - value_bytes(few.columns);
   const auto more_cells = static_cast<double>(cells.size() - 1);
   const Measured by_one = written(header_of_one, one);
   const Measured by_few = more_cells > 0.0 ? written(header, few) : by_one;

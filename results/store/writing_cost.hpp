@@ -24,8 +24,10 @@ struct WritingCost {
 
 /// Writes results into the folder for temporary files, as a run does its own, and removes them: one of the first cell,
 /// one of all cells with a single kept trial each, and one with all of their kept trials.
-/// Throws core::IoError if that cannot be. Precondition: `rows`, which are not empty, and `columns` are of one block
-/// each of some cells of the header, which keeps its trials, sorted by cell.
+/// A study whose cells fill the grid of its axes has a summary in the layout of cells here, which takes about as much.
+/// Of the values at most some 32 MiB are written. Throws core::IoError if that cannot be. Precondition: `rows`, which
+/// are not empty, and `columns` are of one block each of some cells of the header, which keeps its trials, sorted by
+/// cell.
 WritingCost try_writing(Header header, std::vector<Row> rows, std::vector<TrialColumns> columns);
 
 }  // namespace ridgeloc::results

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <stdlib.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -181,6 +182,19 @@ std::string temporary_name() {
   const fs::path folder = fs::temp_directory_path(missing);
   if (missing) throw core::IoError("there is no folder for temporary files; set TMPDIR to a writable one");
   return (folder / "ridgeloc-XXXXXX").string();
+}
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = temporary_name();
+  if (::mkdtemp(name.data()) == nullptr)
+    throw core::IoError(
+        fmt::format("cannot create a temporary folder {}: {}; set TMPDIR to a writable one", name, reason(errno)));
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
 }
 
 FolderLock::FolderLock(const fs::path& folder) {

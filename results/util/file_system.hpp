@@ -66,6 +66,20 @@ class TemporaryFile {
 /// such folder.
 std::string temporary_name();
 
+/// A folder for temporary files that goes with its object. Throws core::IoError where none can be made.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 /// An advisory lock on a folder, held while the object lives and dropped by the system when the process dies.
 class FolderLock {
  public:

@@ -44,8 +44,8 @@ bool Assignment::contains(std::size_t place, std::uint64_t block) const {
   return (place * runs_per_cell + block / run) % shard.count == shard.number - 1;
 }
 
-std::uint64_t Assignment::blocks() const {
-  const std::uint64_t per_cell = blocks_per_cell();
+std::uint64_t Assignment::blocks(std::uint64_t per_cell) const {
+  per_cell = std::min(per_cell, blocks_per_cell());
   if (shard.count == 1) return per_cell * cells.size();
   const std::uint64_t run = run_blocks();
   std::uint64_t sum = 0;

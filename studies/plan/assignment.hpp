@@ -35,7 +35,9 @@ struct Assignment {
   /// Whether the share has the block of the cell at that place in `cells`.
   bool contains(std::size_t place, std::uint64_t block) const;
   /// Blocks of the share, over all cells.
-  std::uint64_t blocks() const;
+  std::uint64_t blocks() const { return blocks(blocks_per_cell()); }
+  /// Of these, the ones among the first `per_cell` of each cell.
+  std::uint64_t blocks(std::uint64_t per_cell) const;
 
  private:
   std::uint64_t run_blocks() const;

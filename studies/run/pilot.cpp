@@ -101,7 +101,8 @@ class PilotRun {
       done += piece.is_done ? 1.0 : 0.0;
     }
     const double trials = done * static_cast<double>(count);
-    preparing_s_ = preparing_s / done;
+    // Later rounds may find the cells prepared.
+    preparing_s_ = std::max(preparing_s_, preparing_s / done);
     pilot_.seconds_per_trial = seconds / trials;
     pilot_.trials += static_cast<std::uint64_t>(trials);
     pieces.resize(cells);

@@ -9,7 +9,6 @@
 
 #include "core/elapsed.hpp"
 #include "results/blocks/block.hpp"
-#include "results/store/result_writer.hpp"
 #include "results/store/run_record.hpp"
 #include "studies/run/block_rounds.hpp"
 #include "studies/run/stop_rounds.hpp"
@@ -221,11 +220,21 @@ std::uint64_t trials_of(const Assignment& assignment, const std::vector<Stretch>
 
 }  // namespace
 
+results::ResultWriter writer_of(const Study& study, const Plan& plan, results::ResultClaim output) {
+  using Totals = results::ResultWriter::Totals;
+  return {std::move(output), plan.header, study.stop ? Totals::Kept : Totals::Dropped};
+}
+
 RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment, results::ResultClaim output,
                      WorkQueue& queue, results::Provenance provenance, RunProgress& progress,
                      const std::atomic<bool>& stop) {
-  using Totals = results::ResultWriter::Totals;
-  results::ResultWriter writer(std::move(output), plan.header, study.stop ? Totals::Kept : Totals::Dropped);
+  results::ResultWriter writer = writer_of(study, plan, std::move(output));
+  return run_study(study, plan, assignment, writer, queue, std::move(provenance), progress, stop);
+}
+
+RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment, results::ResultWriter& writer,
+                     WorkQueue& queue, results::Provenance provenance, RunProgress& progress,
+                     const std::atomic<bool>& stop) {
   Assignment own = assignment;
   if (study.stop) own.trials = study.stop->max_trials;
   Run run(study, plan, own, writer, queue, progress, stop);

@@ -7,6 +7,7 @@
 
 #include "results/store/provenance.hpp"
 #include "results/store/result_claim.hpp"
+#include "results/store/result_writer.hpp"
 #include "studies/plan/assignment.hpp"
 #include "studies/plan/plan.hpp"
 #include "studies/run/work_queue.hpp"
@@ -41,10 +42,19 @@ struct RunOutcome {
 /// cell. They are independent; what a block holds does not depend on the number of workers or on the order. When `stop`
 /// becomes true, blocks that are under way are given up, finished ones are kept, and the result stays as it was.
 /// `provenance` carries what the caller knows about the build; the runner adds threads and wall times. How far the run
-/// is can be read beside it (`results::RunRecord`). Throws core::InputError if what is there of the result is of
+/// is can be read beside it (`results::RunRecord`). The writer is one of the plan's header, with a stop rule one that
+/// keeps totals. Throws core::InputError if what is there of the result is of
 /// another study, core::IoError if writing fails; finished parts are kept.
+RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment, results::ResultWriter& writer,
+                     WorkQueue& queue, results::Provenance provenance, RunProgress& progress,
+                     const std::atomic<bool>& stop);
+
+/// The same with a writer of its own.
 RunOutcome run_study(const Study& study, const Plan& plan, const Assignment& assignment, results::ResultClaim output,
                      WorkQueue& queue, results::Provenance provenance, RunProgress& progress,
                      const std::atomic<bool>& stop);
+
+/// The writer that a run of the study needs.
+results::ResultWriter writer_of(const Study& study, const Plan& plan, results::ResultClaim output);
 
 }  // namespace ridgeloc::studies

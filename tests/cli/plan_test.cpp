@@ -59,6 +59,35 @@ TEST_CASE("a result is about as large as its plan says") {
   }
 }
 
+TEST_CASE("a plan needs no folder for temporary files, and says what it does not reckon without") {
+  const WorkingFolder folder;
+  folder.write("s.toml", study);
+  for (const char* unusable : {"nowhere", "/proc"}) {
+    const Outcome plan = folder.shell(std::string("TMPDIR=") + unusable + " '" RIDGELOC_PROGRAM "' plan s.toml");
+    INFO(plan.out << plan.error);
+    CHECK(plan.exit_code == 0);
+    CHECK(contains(plan.out, "  trials   "));
+    CHECK(contains(plan.out, "  note     writing is not reckoned: "));
+  }
+  CHECK_FALSE(contains(folder.ridgeloc("plan s.toml").out, "reckoned"));
+}
+
+TEST_CASE("a run says of which trials it drops the values, and of a stop rule how many it keeps of the most") {
+  const WorkingFolder folder;
+  folder.write("s.toml", study);
+  const std::string run = "run s.toml --trials 100000 --set store.trial_columns_mib=1 -o s.h5";
+  REQUIRE_FALSE(contains(folder.ridgeloc(run).error, "drops"));
+  const std::string wider = folder.ridgeloc(run + " --set sweep.points=[3,5,7]").error;
+  INFO(wider);
+  CHECK(std::regex_search(wider, std::regex("s.h5: drops the values of [0-9]+ trials per cell, of up to [0-9]+ that "
+                                            "are there; a larger \\[store\\] trial_columns_mib keeps them\n")));
+  CHECK_FALSE(contains(folder.ridgeloc(run + " --set sweep.points=[3,5,7]").error, "drops"));
+  folder.write("stop.toml", study +
+                                "[store]\ntrial_columns_mib = 1\n[stop]\nmetric = \"iterations\"\ntarget = 10\n"
+                                "min_trials = 1000\nmax_trials = 1e6\n");
+  CHECK(contains(folder.ridgeloc("run stop.toml").error, " of at most 1000000 trials of each cell"));
+}
+
 TEST_CASE("a plan of more than a year says that it is") {
   const WorkingFolder folder;
   folder.write("s.toml", study);

@@ -2,15 +2,57 @@
 #include <fstream>
 #include <random>
 
+#include "core/error.hpp"
+#include "results/store/part.hpp"
 #include "results/store/parts_folder.hpp"
 #include "results/store/result_writer.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/sample_study.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::results;
 namespace fs = std::filesystem;
+
+namespace {
+
+/// The only part of a result with one block.
+fs::path one_part(const fs::path& path) {
+  const Header header = tests::sample_header();
+  ResultWriter writer(path, header);
+  std::vector<BlockSink> blocks;
+  blocks.push_back(tests::sample_block(header, 0, 0));
+  writer.add(std::move(blocks));
+  writer.flush();
+  return parts_folder(path) / "part-000000.h5";
+}
+
+}  // namespace
+
+TEST_CASE("a part of an earlier program is called that, and not damaged") {
+  const tests::ScratchFolder folder;
+  const fs::path part = one_part(folder / "result.h5");
+  // The checksum was a SHA-256.
+  fs::resize_file(part, fs::file_size(part) - 16);
+  std::ofstream(part, std::ios::app | std::ios::binary) << std::string(64, 'a');
+  const std::string message = tests::message_of([&] { ResultWriter(folder / "result.h5", tests::sample_header()); });
+  CHECK(tests::lacking(message, {"format version 3", "finish with the program that began"}) == "");
+  CHECK(fs::exists(part));
+}
+
+TEST_CASE("a part with right checksum that says what no block has is damaged, and nothing is read outside memory") {
+  const tests::ScratchFolder folder;
+  const fs::path part = one_part(folder / "result.h5");
+  const Header header = tests::sample_header();
+  Part crafted{Ledger(header.block_trials), {}, {}};
+  BlockSink block = tests::sample_block(header, 0, 0);
+  for (Row& row : block.take_rows()) crafted.ledger.insert(std::move(row));
+  crafted.columns = block.take_columns();
+  crafted.columns[0].trials = std::uint64_t{1} << 63;
+  write_part(part, header, crafted);
+  CHECK_THROWS_AS(read_part_blocks(part, header), core::IoError);
+}
 
 TEST_CASE("a changed bit in any byte of a part is found, and never reaches HDF5") {
   const tests::ScratchFolder folder;
