@@ -47,8 +47,9 @@ jobs="${CMAKE_BUILD_PARALLEL_LEVEL:-$jobs}"
 "$root/scripts/setup.sh" "${setup[@]}"
 
 # Newer compilers bring new warnings: they stop our own checks, not a newcomer's build. Nor the fuzzers, whose compiler
-# warns of what is inside the standard library of another.
-if [[ "${CI:-}" == true && "$preset" != fuzz ]]; then options+=(-DRIDGELOC_WARNINGS_AS_ERRORS=ON); fi
+# warns of what is inside the standard library of another, nor sanitizers: between their checks values seem to come from
+# nowhere, and where tests are compiled as one a local variable may shadow a constant of another file.
+if [[ "${CI:-}" == true && "$preset" != fuzz && "$preset" != asan ]]; then options+=(-DRIDGELOC_WARNINGS_AS_ERRORS=ON); fi
 if command -v ccache >/dev/null; then
   options+=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 fi

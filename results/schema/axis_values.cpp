@@ -46,8 +46,8 @@ std::vector<std::string_view> list_items(std::string_view text) {
   int depth = 0;
   std::size_t begin = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '[') ++depth;
-    if (text[i] == ']') --depth;
+    if (text[i] == '[' || text[i] == '(') ++depth;
+    if (text[i] == ']' || text[i] == ')') --depth;
     if (text[i] != ',' || depth > 0) continue;
     items.push_back(trimmed(text.substr(begin, i - begin)));
     begin = i + 1;

@@ -12,7 +12,7 @@ namespace ridgeloc::results {
 /// A text without blanks around it.
 std::string_view trimmed(std::string_view text);
 
-/// The items between commas that do not stand in brackets, trimmed: "[1,5], [1,10]" has two.
+/// The items between commas that do not stand in brackets, trimmed: "[1,5], [1,10]" has two, as "max(a, b), c" has.
 std::vector<std::string_view> list_items(std::string_view text);
 
 /// Adds what a text names: "range_sigma_m=0.1,0.3", also "depth_m=[1,5],[1,10]". Throws core::InputError where there is

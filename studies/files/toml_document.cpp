@@ -117,6 +117,14 @@ std::string inline_text(const toml::node& node) {
   return out.str();
 }
 
+/// A text that may be written over several lines, as tables and command lines can show it.
+std::string in_one_line(const std::string& text) {
+  std::istringstream words(text);
+  std::string line;
+  for (std::string word; words >> word;) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
 std::optional<Value> read_value(const toml::node& node, const Setting& s) {
   const auto within = [&s](double v) { return s.low <= v && v <= s.high; };
   switch (s.kind) {
@@ -221,6 +229,7 @@ Value read_setting(const toml::node& node, const Setting& setting, const std::st
     const std::string complaint = setting.complaint(std::get<std::string>(*value));
     if (!complaint.empty()) fail_at(node, fmt::format("{} = {} is not allowed: {}", label, text_of(node), complaint));
   }
+  if (value && setting.kind == Kind::Text) return in_one_line(std::get<std::string>(*value));
   if (value) return *value;
   std::string hint;
   if (setting.kind == Kind::Choice && node.is_string()) {

@@ -25,6 +25,9 @@ TEST_CASE("values of axes are written with commas, also between brackets") {
   add_axis_values(chosen, "range_sigma_m=0.1, 0.3");
   add_axis_values(chosen, "depth_m = [1, 5],[1,10]");
   add_axis_values(chosen, "range_sigma_m=0.5");
+  AxisValues formulas;
+  add_axis_values(formulas, "k_expr=max(alpha, min(n, 2)), n");
+  CHECK(formulas["k_expr"] == std::vector<std::string>{"max(alpha, min(n, 2))", "n"});
   CHECK(chosen == AxisValues{{"depth_m", {"[1, 5]", "[1,10]"}}, {"range_sigma_m", {"0.1", "0.3", "0.5"}}});
   AxisValues again;
   for (const std::string& text : axis_values_texts(chosen)) add_axis_values(again, text);

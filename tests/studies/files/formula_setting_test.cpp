@@ -103,6 +103,13 @@ TEST_CASE("studies with other formulas unite") {
         std::string::npos);
 }
 
+TEST_CASE("a formula over several lines is the one that it is in one line") {
+  const Study over_lines = read(method("k = \"expr\"\nk_expr = \"\"\"\n  sigma2 *\n  trace   / n\n\"\"\"\n"));
+  const Study in_line = read(method(formula));
+  CHECK(method_hash(over_lines, over_lines.methods[0]) == method_hash(in_line, in_line.methods[0]));
+  CHECK(resolved_toml(over_lines) == resolved_toml(in_line));
+}
+
 TEST_CASE("what is wrong with a formula in a study is said with its place") {
   const auto [text, message] = GENERATE(table<std::string, std::string>({
       {method("k = \"expr\"\nk_expr = \"sigma2 * trac / n\"\n"),
