@@ -31,7 +31,8 @@ FormulaTerm FormulaProgram::quantity(std::size_t index, std::size_t at) {
   return emit({operation, 0, 0, index >= first_formula_vector}, at);
 }
 
-FormulaTerm FormulaProgram::call(const FormulaFunction& function, const std::vector<FormulaTerm>& arguments, std::size_t at) {
+FormulaTerm FormulaProgram::call(const FormulaFunction& function, const std::vector<FormulaTerm>& arguments,
+                                 std::size_t at) {
   const std::size_t count = arguments.size();
   const auto wrong_count = [&](const char* takes) {
     return text_.error(at, quoted(function.name) + " takes " + takes + ", not " + std::to_string(count));
@@ -50,8 +51,8 @@ FormulaTerm FormulaProgram::call(const FormulaFunction& function, const std::vec
   if (!first.by_component) {
     const char* const more = function.takes == FormulaTakes::ComponentsOrMore ? ", or several values" : "";
     throw text_.error(at, quoted(function.name) +
-                        " takes a quantity by component (alpha, gradient, diagonal, eigenvalues)" + more +
-                        ", and this is one number");
+                              " takes a quantity by component (alpha, gradient, diagonal, eigenvalues)" + more +
+                              ", and this is one number");
   }
   return emit({function.operation, first.instruction, 0, false}, at);
 }
@@ -92,8 +93,8 @@ FormulaTerm FormulaProgram::finite(double value, std::size_t at) const {
 }
 
 void FormulaProgram::note_need(KOperation operation) {
-  const bool is_known_before = operation == KOperation::Observations || operation == KOperation::Unknowns ||
-                               operation == KOperation::Iteration;
+  const bool is_known_before =
+      operation == KOperation::Observations || operation == KOperation::Unknowns || operation == KOperation::Iteration;
   if (!is_known_before) formula_.needs_ols_step = true;
   if (operation == KOperation::Squares) formula_.needs_squares = true;
   if (operation == KOperation::Eigenvalues) formula_.needs_eigenvalues = true;
@@ -127,7 +128,8 @@ FormulaTerm FormulaProgram::emit(const KInstruction& instruction, std::size_t at
 }
 
 FormulaError FormulaProgram::too_long(std::size_t at, std::size_t most, const char* of) const {
-  return text_.error(at, "here it has more than " + std::to_string(most) + ' ' + of + ", which are all that are allowed");
+  return text_.error(at,
+                     "here it has more than " + std::to_string(most) + ' ' + of + ", which are all that are allowed");
 }
 
 KFormula FormulaProgram::finish(const FormulaTerm& result) {

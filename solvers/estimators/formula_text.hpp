@@ -75,17 +75,11 @@ class FormulaText {
     if (sees('*') && next_ > 0 && text_[next_ - 1] == '*') throw error(next_ - 1, "a power is written ^, not **");
     throw error(next_, std::string(expected) + " before " + rest());
   }
- private:
-  static bool is_digit(char c) {
-    return '0' <= c && c <= '9';
-  }
-  static bool begins_name(char c) {
-    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_';
-  }
-  static bool is_space(char c) {
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-  }
 
+ private:
+  static bool is_digit(char c) { return '0' <= c && c <= '9'; }
+  static bool begins_name(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; }
+  static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
   void skip_spaces() {
     while (!at_end() && is_space(text_[next_])) ++next_;
