@@ -35,7 +35,7 @@ function(ridgeloc_library folder)
 endfunction()
 
 # ridgeloc_group_by_folder(TARGET): with CMAKE_UNITY_BUILD the sources that a folder gives to TARGET are compiled as one,
-# which takes a fraction of the time. Kernels stay apart: each of them takes long, and they share little.
+# which takes a fraction of the time.
 function(ridgeloc_group_by_folder target)
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
@@ -43,9 +43,7 @@ function(ridgeloc_group_by_folder target)
     cmake_path(ABSOLUTE_PATH source)
     cmake_path(GET source PARENT_PATH folder)
     cmake_path(GET folder FILENAME group)
-    if(NOT group STREQUAL "kernels")
-      set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${group})
-    endif()
+    set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${group})
   endforeach()
 endfunction()
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Usage: check_names.sh ROOT
 # Names in anonymous namespaces are unique within a folder: with CMAKE_UNITY_BUILD its sources are compiled as one, and
-# there a function of another file may fit a call better than the one that was meant. Kernels are compiled apart.
+# there a function of another file may fit a call better than the one that was meant.
 set -euo pipefail
 cd "$1"
 
@@ -9,7 +9,7 @@ cd "$1"
 # its end, and is not a member of a class.
 names() {
   local folder
-  for folder in $(find core sim solvers results studies app -type d ! -name kernels); do
+  for folder in $(find core sim solvers results studies app -type d); do
     for file in "$folder"/*.cpp; do
       [[ -e "$file" ]] || continue
       awk -v folder="$folder" -v file="${file##*/}" '
