@@ -164,6 +164,10 @@ class CommandLine {
     replay_verb.add_flag("--json", replay_.json, "print JSON instead of tables");
     replay_verb.add_option("-o", replay_.output, "picture to draw: .svg, .pdf or .png")->type_name("FILE");
 
+    add_solve_options(
+        verb("solve", "positions from measured ranges, with their covariance", [this] { return solve(solve_); }),
+        solve_);
+
     add_export_options(
         verb("export", "write a result as CSV, JSON or LaTeX", [this] { return export_result(export_); }), export_);
 
@@ -227,6 +231,7 @@ class CommandLine {
   SummaryOptions summary_;
   AuditOptions audit_;
   ReplayOptions replay_;
+  SolveOptions solve_;
   ExportOptions export_;
   PlotOptions plot_;
   ReportOptions report_;

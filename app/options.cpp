@@ -97,6 +97,25 @@ void add_figure_options(CLI::App& verb, results::FigureSpec& figure, CLI::Option
   text("--title", figure.title, "title of the figure")->type_name("TEXT");
 }
 
+/// --set KEY=VALUE.
+void add_overrides(CLI::App& verb, std::vector<std::string>& overrides) {
+  verb.add_option_function<std::vector<std::string>>(
+          "--set",
+          [&overrides](const std::vector<std::string>& items) {
+            overrides.insert(overrides.end(), items.begin(), items.end());
+          },
+          "overrides a key of the study, for example scene.depth_m=[2,15] or method.0.k=fixed; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+void add_isa(CLI::App& verb, std::string& isa, const char* description) {
+  verb.add_option("--isa", isa, description)
+      ->check(CLI::IsMember(std::vector<std::string>(core::isa_names.begin(), core::isa_names.end())));
+}
+
 }  // namespace
 
 void add_threads(CLI::App& verb, int& threads) {
@@ -129,21 +148,48 @@ void add_study_options(CLI::App& verb, StudyOptions& options) {
           "--audit", [&options](const std::string& f) { options.overrides.push_back("audit=" + f); },
           "share of the trials that Ceres solves again, 0 to 1; 0 switches the audit off")
       ->type_name("F");
-  verb.add_option_function<std::vector<std::string>>(
-          "--set",
-          [&options](const std::vector<std::string>& items) {
-            options.overrides.insert(options.overrides.end(), items.begin(), items.end());
-          },
-          "overrides a key of the study, for example scene.depth_m=[2,15] or method.0.k=fixed; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
+  add_overrides(verb, options.overrides);
   add_threads(verb, options.threads);
-  verb.add_option("--isa", options.isa,
-                  "instruction set to compute with; without it the one that a stopped run has begun with, else the "
-                  "widest that this processor has")
-      ->check(CLI::IsMember(std::vector<std::string>(core::isa_names.begin(), core::isa_names.end())));
+  add_isa(verb, options.isa,
+          "instruction set to compute with; without it the one that a stopped run has begun with, else the widest that "
+          "this processor has");
+}
+
+void add_solve_options(CLI::App& verb, SolveOptions& options) {
+  verb.add_option("DATA", options.data, "measured ranges: a CSV file, or - for standard input")->required();
+  verb.add_option("--objects", options.objects, "where the objects are: a CSV file with their names and coordinates")
+      ->type_name("FILE");
+  add_names(verb, "--solver", options.solvers, "solver (ridgeloc list solvers); may be repeated (default: rrr)");
+  verb.add_option("--study", options.study, "the methods of this study instead")->type_name("STUDY");
+  add_overrides(verb, options.overrides);
+  add_names(verb, "--column", options.columns,
+            "what a column is called: epoch, object, range, score, x, y or z; may be repeated", "ROLE=NAME");
+  const std::vector<std::string> units = {"m", "cm", "mm", "km", "ft"};
+  verb.add_option("--unit", options.range_unit, "unit of the ranges")
+      ->default_val(options.range_unit)
+      ->check(CLI::IsMember(units));
+  verb.add_option("--position-unit", options.position_unit, "unit of the positions of objects")
+      ->default_val(options.position_unit)
+      ->check(CLI::IsMember(units));
+  verb.add_option_function<std::vector<double>>(
+          "--start",
+          [&options](const std::vector<double>& at) {
+            options.start = {at[0], at[1], at[2]};
+          },
+          "where solvers start (m), which decides between mirror images (default: found for each epoch)")
+      ->delimiter(',')
+      ->expected(3)
+      ->type_name("X,Y,Z");
+  verb.add_option("--sigma", options.sigma_m, "standard deviation of a range (m) (default: from the residuals)")
+      ->check(CLI::PositiveNumber)
+      ->type_name("M");
+  verb.add_flag("--strict", options.is_strict,
+                "refuse data with readings that cannot be used, instead of leaving them out");
+  verb.add_flag("--json", options.json, "a JSON object a line instead of CSV");
+  verb.add_option("-o", options.output, "file to write (default: standard output)")->type_name("FILE");
+  verb.add_option("--as-noise", options.noise, "write the errors as samples of noise for studies")->type_name("FILE");
+  verb.add_option("--as-scene", options.scene, "write a study with these objects and positions")->type_name("FILE");
+  add_isa(verb, options.isa, "instruction set to compute with (default: the widest that this processor has)");
 }
 
 void add_summary_options(CLI::App& verb, SummaryOptions& options) {

@@ -23,6 +23,8 @@ void add_study_options(CLI::App& verb, StudyOptions& options);
 
 void add_summary_options(CLI::App& verb, SummaryOptions& options);
 
+void add_solve_options(CLI::App& verb, SolveOptions& options);
+
 void add_export_options(CLI::App& verb, ExportOptions& options);
 
 void add_plot_options(CLI::App& verb, PlotOptions& options);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -102,6 +103,26 @@ struct ReplayOptions {
   std::string output;                ///< a picture; empty: none
 };
 int replay(const ReplayOptions& options);
+
+struct SolveOptions {
+  std::string data;                            ///< measured ranges, CSV; "-": standard input
+  std::string objects;                         ///< where the objects are, CSV; empty: in the data
+  std::string study;                           ///< whose methods; empty: solvers
+  std::vector<std::string> solvers;            ///< empty: rrr
+  std::vector<std::string> overrides;          ///< KEY=VALUE
+  std::vector<std::string> columns;            ///< ROLE=NAME
+  std::string range_unit = "m";                ///< of the ranges
+  std::string position_unit = "m";             ///< of the positions of objects
+  std::optional<std::array<double, 3>> start;  ///< m; absent: found for each epoch
+  std::optional<double> sigma_m;               ///< standard deviation of a range; absent: from the residuals
+  bool is_strict = false;                      ///< refuses data with readings that are none
+  bool json = false;                           ///< a JSON object a line instead of CSV
+  std::string output;                          ///< empty: standard output
+  std::string noise;                           ///< file for the errors; empty: none
+  std::string scene;                           ///< study to write; empty: none
+  std::string isa;                             ///< empty: the widest there is
+};
+int solve(const SolveOptions& options);
 
 struct ExportOptions {
   std::string result;

@@ -8,13 +8,11 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/symmetric_eigen.hpp"
+#include "studies/solving/extent.hpp"
 
 namespace ridgeloc::studies {
 
 namespace {
-
-using Place = std::array<double, core::position_parameters>;
 
 std::vector<Place> places_of(const sim::PositionColumns& columns, std::size_t count) {
   std::vector<Place> places;
@@ -47,23 +45,6 @@ std::vector<Place> camera_places(const sim::GivenScene& scene) {
   const auto& box = scene.box_m;
   if (std::ranges::any_of(box, [](const Interval& side) { return side[0] < side[1]; })) return {};
   return {{box[0][0], box[1][0], box[2][0]}};
-}
-
-/// In how many directions the objects extend, to a millionth of the largest extent; seen from above without heights.
-std::size_t dimensions_of(const std::vector<Place>& objects, bool from_above) {
-  constexpr double flat = 1e-6;
-  const std::size_t axes = from_above ? 2 : 3;
-  Place mean{};
-  for (const Place& object : objects)
-    for (std::size_t axis = 0; axis < axes; ++axis) mean[axis] += object[axis] / static_cast<double>(objects.size());
-  core::Symmetric<double, 3> scatter;
-  for (const Place& object : objects)
-    for (std::size_t i = 0; i < axes; ++i)
-      for (std::size_t k = i; k < axes; ++k) scatter(i, k) += (object[i] - mean[i]) * (object[k] - mean[k]);
-  auto extents = core::symmetric_eigen(scatter).values;
-  const double largest = *std::ranges::max_element(extents);
-  return static_cast<std::size_t>(
-      std::ranges::count_if(extents, [&](double value) { return value > flat * flat * largest; }));
 }
 
 }  // namespace
@@ -114,7 +95,7 @@ bool has_few_camera_places(const RangingCell& cell) {
 }
 
 std::optional<std::string> ambiguity_of_given_objects(const RangingCell& cell) {
-  const std::size_t dimensions = dimensions_of(places_of(cell.given->objects, cell.points), cell.knows_height);
+  const std::size_t dimensions = extent_of(places_of(cell.given->objects, cell.points), cell.knows_height).dimensions;
   if (dimensions >= unknowns_of(cell)) return std::nullopt;
   if (cell.knows_height) {
     return "all objects lie on one line, seen from above: every position has a mirror image behind it with the same "

@@ -50,7 +50,8 @@ declare -A rooms=(
   [studies/photos]="study files solving"
   [studies/building]="study photos solving"
   [studies/detection]="study photos"
-  [studies/root]="study catalog files plan run solving ranging photos building detection"
+  [studies/measured]="study files solving ranging"
+  [studies/root]="study catalog files plan run solving ranging photos building detection measured"
 )
 # Third-party libraries that a folder may use at all; what is not named here is the standard library or the system.
 declare -A libraries=(
