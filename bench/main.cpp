@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "bench/check.hpp"
+#include "bench/counted.hpp"
 #include "bench/rows.hpp"
 #include "bench/workload.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 constexpr char usage[] =
     "usage: ridgeloc_bench --check                       compare the peers' answers with ours\n"
     "       ridgeloc_bench --write-problems FILE POINTS  write the problems for a peer outside this program\n"
+    "       ridgeloc_bench --pass rrr|block COUNT        work to be counted by bench/instructions.py\n"
     "       ridgeloc_bench [OPTION OF GOOGLE BENCHMARK]...\n";
 
 int run_rows(int argc, char** argv) {
@@ -36,7 +38,11 @@ int main(int argc, char** argv) {
       ridgeloc::bench::workload(std::stoul(argv[3])).problems.write_csv(argv[2]);
       return 0;
     }
-    if (verb == "--check" || verb == "--write-problems") {
+    if (verb == "--pass" && argc == 4) {
+      ridgeloc::bench::pass(argv[2], std::stoul(argv[3]));
+      return 0;
+    }
+    if (verb == "--check" || verb == "--write-problems" || verb == "--pass") {
       std::fputs(usage, stderr);
       return 2;
     }

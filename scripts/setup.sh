@@ -18,7 +18,7 @@ test_packages=(
   python3-h5py python3-xarray python3-h5netcdf python3-netcdf4
   netcdf-bin r-base-core r-bioc-rhdf5
 )
-bench_packages=(ccache libbenchmark-dev libgsl-dev libcminpack-dev python3-scipy)
+bench_packages=(ccache libbenchmark-dev libgsl-dev libcminpack-dev python3-scipy valgrind)
 fuzz_packages=(clang-19 libclang-rt-19-dev)
 # Other versions format otherwise.
 format_packages=(clang-format-14)
