@@ -47,4 +47,20 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t most) {
   return lines;
 }
 
+std::vector<std::string> broken(std::string_view text, std::size_t most) {
+  std::string spaced;
+  std::size_t in_word = 0;
+  for (const char c : text) {
+    // A character goes with the bytes that continue it.
+    const bool begins_character = display_width(std::string_view(&c, 1)) > 0;
+    if (begins_character && in_word == most) {
+      spaced += ' ';
+      in_word = 0;
+    }
+    spaced += c;
+    in_word = c == ' ' ? 0 : in_word + (begins_character ? 1 : 0);
+  }
+  return wrapped(spaced, most);
+}
+
 }  // namespace ridgeloc::results
