@@ -28,13 +28,15 @@ constexpr double footnote_distance = 4.6;
 double place_legend(const std::vector<std::string>& texts, LegendEntry::Kind kind, double y, FigureLayout& layout) {
   if (texts.size() < 2 && kind != LegendEntry::Kind::Bound) return y;
   const double room = layout.page.width - 2.0 * PageStyle::edge - PageStyle::sample_length - PageStyle::sample_gap;
-  const std::size_t most = characters(room, small_character);
-  if (std::ranges::all_of(texts, [&](const std::string& text) { return display_width(text) <= most; })) {
+  const auto fits = [&](const std::string& text) { return display_width(text) <= characters(room, small_character); };
+  if (std::ranges::all_of(texts, fits)) {
     const LegendGrid grid = legend_grid(texts, y, layout.page.width);
     for (std::size_t i = 0; i < texts.size(); ++i)
       layout.legend.push_back({grid.places[i].x, grid.places[i].y, kind, i, {texts[i]}});
     return grid.end;
   }
+  // Lines that are full to the end may be of wide characters.
+  const std::size_t most = characters(room, title_character);
   for (std::size_t i = 0; i < texts.size(); ++i) {
     layout.legend.push_back({PageStyle::edge, y, kind, i, broken(texts[i], most)});
     y += static_cast<double>(layout.legend.back().lines.size()) * PageStyle::line_height;
@@ -219,7 +221,8 @@ FigureLayout figure_layout(const FigureData& data) {
   y += static_cast<double>(layout.conditions.size()) * PageStyle::line_height;
   if (!layout.title.empty() || !layout.conditions.empty()) y += 0.8;
   layout.legend_title_y = y;
-  if (data.groups.size() > 1 && !data.group_title.empty()) y += PageStyle::line_height;
+  if (data.groups.size() > 1) layout.legend_title = wrapped(data.group_title, characters(text_width, small_character));
+  y += static_cast<double>(layout.legend_title.size()) * PageStyle::line_height;
   y = place_legend(data.groups, LegendEntry::Kind::Group, y, layout);
   y = place_legend(data.metrics, LegendEntry::Kind::Metric, y, layout);
   y = place_legend(data.bounds, LegendEntry::Kind::Bound, y, layout);
@@ -240,7 +243,10 @@ FigureLayout figure_layout(const FigureData& data) {
   layout.footnote = wrapped(footnote(data, layout), characters(text_width, footnote_character));
   const double key_height =
       layout.key.empty() ? 0.0 : 0.8 + static_cast<double>(layout.key.size()) * PageStyle::footnote_line_height;
-  const double below = x_axis_height + footnote_distance + key_height + PageStyle::edge +
+  layout.x_label_x = (layout.panels.front().left + layout.page.width - PageStyle::right) / 2.0;
+  layout.x_label = wrapped(data.x_label, characters(2.0 * (layout.page.width - layout.x_label_x), small_character));
+  const double x_label_height = PageStyle::line_height * (static_cast<double>(layout.x_label.size()) - 1.0);
+  const double below = x_axis_height + x_label_height + footnote_distance + key_height + PageStyle::edge +
                        (static_cast<double>(layout.footnote.size()) - 0.5) * PageStyle::footnote_line_height;
   if (data.view.size) {
     const auto rows = static_cast<double>(grid.rows);
@@ -253,9 +259,8 @@ FigureLayout figure_layout(const FigureData& data) {
   }
   y += grid_height(grid);
   place_side_labels(data, grid, lines, layout);
-  layout.x_label_x = (layout.panels.front().left + layout.page.width - PageStyle::right) / 2.0;
   layout.x_label_y = y + x_axis_height;
-  layout.key_y = layout.x_label_y + footnote_distance;
+  layout.key_y = layout.x_label_y + x_label_height + footnote_distance;
   layout.footnote_y = layout.key_y + key_height;
   layout.page.height = y + below;
   return layout;

@@ -45,10 +45,12 @@ struct FigureLayout {
   double x_label_y = 0.0;
   double key_y = 0.0;
   double footnote_y = 0.0;
-  std::vector<std::string> key;         ///< lines: what the numbers below the axis stand for; empty if it has none
-  std::vector<std::string> title;       ///< lines
-  std::vector<std::string> conditions;  ///< lines
-  std::vector<std::string> footnote;    ///< lines
+  std::vector<std::string> key;           ///< lines: what the numbers below the axis stand for; empty if it has none
+  std::vector<std::string> x_label;       ///< lines
+  std::vector<std::string> legend_title;  ///< lines
+  std::vector<std::string> title;         ///< lines
+  std::vector<std::string> conditions;    ///< lines
+  std::vector<std::string> footnote;      ///< lines
   std::vector<SideLabel> y_labels;
   std::vector<LegendEntry> legend;
   std::vector<PanelLayout> panels;

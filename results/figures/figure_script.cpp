@@ -88,7 +88,7 @@ std::string lettering(const FigureData& data, const Layout& layout) {
   lines(layout.key, PageStyle::edge, layout.key_y, PageStyle::footnote_line_height, "left font ',5.5'");
   lines(layout.footnote, PageStyle::edge, layout.footnote_y, PageStyle::footnote_line_height,
         "left font ',5.5' tc rgb '#444444'");
-  script += page_text(layout.page, layout.x_label_x, layout.x_label_y, data.x_label, "center font ',7'");
+  lines(layout.x_label, layout.x_label_x, layout.x_label_y, PageStyle::line_height, "center font ',7'");
   for (const SideLabel& label : layout.y_labels) {
     double x = label.x;
     for (const std::string& line : label.lines) {
@@ -101,9 +101,7 @@ std::string lettering(const FigureData& data, const Layout& layout) {
     script += page_text(layout.page, layout.panels[i].left, layout.panels[i].label_y, data.panels[i].label,
                         "left font ',7.5'");
   }
-  if (data.groups.size() > 1) {
-    script += page_text(layout.page, middle, layout.legend_title_y, data.group_title, "center font ',7'");
-  }
+  lines(layout.legend_title, middle, layout.legend_title_y, PageStyle::line_height, "center font ',7'");
   for (const LegendEntry& entry : layout.legend) {
     lines(entry.lines, entry.x + PageStyle::sample_length + PageStyle::sample_gap, entry.y, PageStyle::line_height,
           "left font ',7'");

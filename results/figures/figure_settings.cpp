@@ -96,7 +96,8 @@ std::string FigureSettings::value_text(std::size_t axis, std::size_t value) cons
       others += (others.empty() || text.empty() ? "" : ", ") + text;
     }
   }
-  return with_companion(this->value(axis, value), others);
+  const std::string text = with_companion(this->value(axis, value), others);
+  return text.empty() ? "none" : text;  // of a setting that only some cells read
 }
 
 std::string FigureSettings::title(std::size_t axis) const {

@@ -183,6 +183,9 @@ TEST_CASE("more than three bands in a panel become lines") {
     header.cells.push_back(header.cells[cell]);
     header.cells.back().indices[1] += 2;
     for (std::size_t method = 0; method < 3; ++method) summary.statistics.push_back(two.of(cell, method));
+    // Equal bounds would be one.
+    const double level = 1.0 + static_cast<double>(cell);
+    summary.statistics.back().metrics[2] = statistics_of(std::vector{level, 2.0 * level, 3.0 * level});
   }
   const FigureData data = figure_data(summary, error_figure());
   CHECK(data.bounds == std::vector<std::string>{"bound of unbiased estimates, median"});

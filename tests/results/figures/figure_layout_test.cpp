@@ -204,6 +204,18 @@ TEST_CASE("a legend text that is longer than the page is wide takes several line
       CHECK(end + small_character * static_cast<double>(line.size()) < layout.page.width);
 }
 
+TEST_CASE("a long label of the horizontal axis stands in lines above its key and the footnote") {
+  FigureData data = two_lines({1.0, 2.0});
+  data.x_label = "number of points";
+  const FigureLayout one = figure_layout(data);
+  CHECK(one.x_label.size() == 1);
+  data.x_label = "number of points (standard deviation of the range errors [m])";
+  const FigureLayout two = figure_layout(data);
+  CHECK(two.x_label.size() == 2);
+  CHECK(two.footnote_y == Approx(one.footnote_y + PageStyle::line_height));
+  CHECK(two.page.height == Approx(one.page.height + PageStyle::line_height));
+}
+
 TEST_CASE("a bound is a line along numbers, and a stroke at each category") {
   FigureData data = two_lines({0.0, 1.0});
   const FigureBound bound{0, {}, false, {{0.0, 2.0, 2.0, 2.0}, {1.0, 2.2, 2.2, 2.2}}};
@@ -222,6 +234,7 @@ TEST_CASE("text is broken at spaces") {
   CHECK(wrapped("", 10).empty());
   CHECK(broken("sigma2/trace + n", 7) == std::vector<std::string>{"sigma2/", "trace +", "n"});
   CHECK(broken("größen", 3) == std::vector<std::string>{"grö", "ßen"});
+  CHECK(broken("(1) sigma2+trace", 8) == std::vector<std::string>{"(1) sigm", "a2+trace"});
 }
 
 }  // namespace

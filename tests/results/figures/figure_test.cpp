@@ -251,6 +251,13 @@ TEST_CASE("an axis that moves along with one of the figure stands beside it") {
   spec.facet.clear();
   CHECK(figure_data(zipped_summary(1), spec).groups.at(0) == "range_sigma_m = 0.1, start_offset_m = 1, rr");
 
+  Summary empty = zipped_summary(1);
+  empty.header.axes[1].values = {std::string(), std::string("sigma2 / p")};
+  CHECK(figure_data(empty, synthetic_spec()).groups == std::vector<std::string>{"1", "sigma2 / p (5)"});
+  Summary alone = synthetic_summary();
+  alone.header.axes[1].values = empty.header.axes[1].values;
+  CHECK(figure_data(alone, synthetic_spec()).groups.front() == "none");
+
   Summary by_both = zipped_summary(0);
   for (CellInfo& cell : by_both.header.cells) cell.indices[2] = (cell.indices[0] + cell.indices[1]) % 2;
   CHECK(figure_data(by_both, synthetic_spec()).conditions == "start_offset_m differs from cell to cell");
