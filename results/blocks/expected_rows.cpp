@@ -15,15 +15,19 @@ std::uint64_t scaled(std::uint64_t count, double factor) {
   return static_cast<std::uint64_t>(std::llround(static_cast<double>(count) * factor));
 }
 
-/// Counts as they come about by chance where `factor` times as many are expected.
+/// A count as it comes about by chance where a share of these trials, or so many times as many, are run.
+std::uint64_t drawn_count(std::uint64_t count, double factor, Chance& chance) {
+  if (factor < 1.0) return std::binomial_distribution<std::uint64_t>(count, factor)(chance);
+  // More trials leave no bin empty that had one.
+  return std::max(std::poisson_distribution<std::uint64_t>(static_cast<double>(count) * factor)(chance),
+                  std::uint64_t{1});
+}
+
 std::vector<Histogram::Bin> drawn_bins(const Histogram& histogram, double factor, Chance& chance) {
   std::vector<Histogram::Bin> bins;
-  for (const Histogram::Bin& bin : histogram.bins()) {
-    std::poisson_distribution<std::uint64_t> count(static_cast<double>(bin.count) * factor);
-    // More trials leave no bin empty that had one.
-    const std::uint64_t least = factor >= 1.0 ? 1 : 0;
-    if (const std::uint64_t drawn = std::max(count(chance), least); drawn > 0) bins.push_back({bin.number, drawn});
-  }
+  for (const Histogram::Bin& bin : histogram.bins())
+    if (const std::uint64_t count = drawn_count(bin.count, factor, chance); count > 0)
+      bins.push_back({bin.number, count});
   return bins;
 }
 

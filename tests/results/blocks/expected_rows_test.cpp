@@ -56,13 +56,15 @@ TEST_CASE("as many rows are expected as runs of blocks that are not merged") {
 
 TEST_CASE("histograms grow as those of more trials do, and shrink as those of fewer") {
   const std::uint64_t few = GENERATE(64, 1000);
+  // Of 64 trials nearly all are alone in their bins, and say little of the tails.
+  const double limit = few == 64 ? 2.0 : 1.5;
   for (const std::uint64_t many : {std::uint64_t{50}, std::uint64_t{4096}, std::uint64_t{1} << 18}) {
     const Row expected = expected_rows(sample_row(few), many, many).front();
     const Row truth = sample_row(many);
     for (std::size_t metric = 0; metric < 2; ++metric) {
       CAPTURE(few, many, metric, bins_of(expected, metric), bins_of(truth, metric));
-      CHECK(bins_of(expected, metric) < 1.5 * bins_of(truth, metric));
-      CHECK(bins_of(truth, metric) < 1.5 * bins_of(expected, metric));
+      CHECK(bins_of(expected, metric) < limit * bins_of(truth, metric));
+      CHECK(bins_of(truth, metric) < limit * bins_of(expected, metric));
     }
     CHECK(bins_of(expected, 2) == 2);
   }

@@ -153,7 +153,8 @@ TEST_CASE("what is wrong with a formula in a study is said with its place") {
        "demo.toml:5: k_expr = 'sigma2 * trac / n' is not allowed: column 10: there is no \"trac\" (did you mean "
        "\"trace\"?)"},
       {method("k = \"expr\"\nk_expr = \"\"\"\nsigma2 *\n  qqqqqqqqqq\"\"\"\n"),
-       "demo.toml:5: k_expr = 'sigma2 * qqqqqqqqqq' is not allowed: column 10: there is no \"qqqqqqqqqq\" (allowed: "
+       "demo.toml:5: k_expr = '''sigma2 * qqqqqqqqqq''' is not allowed: column 10: there is no \"qqqqqqqqqq\" "
+       "(allowed: "
        "sigma2, n, p, iteration, trace, squares, alpha, "},
       {method("k = \"expr\"\nk_expr = \"sigma2 / (n - p\"\n"),
        "demo.toml:5: k_expr = 'sigma2 / (n - p' is not allowed: column 10: this \"(\" is not closed"},
