@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,12 +65,36 @@ Totals totals_of(const results::Header& header, const std::vector<std::uint64_t>
   return totals;
 }
 
+/// The axes that one is zipped with.
+std::vector<std::string> zipped_with(const studies::Study& study, const std::string& axis) {
+  for (std::vector<std::string> names : study.zip)
+    if (std::erase(names, axis) > 0) return names;
+  return {};
+}
+
+/// What the axes make together before any is excluded.
+std::size_t crossed_cells(const studies::Study& study) {
+  std::size_t cells = 1;
+  for (const studies::SweepAxis& axis : study.sweep) {
+    const auto others = zipped_with(study, axis.setting->name);
+    // Of axes that move together the first in the alphabet counts.
+    if (std::ranges::none_of(others, [&](const std::string& other) { return other < axis.setting->name; }))
+      cells *= axis.values.size();
+  }
+  return cells;
+}
+
 void print_contents(const studies::Study& study, const studies::Plan& plan) {
   fmt::print("{}: {}\n", study.name, study.title);
-  for (const auto& axis : plan.header.axes) fmt::print("  axis     {} ({} values)\n", axis.name, axis.values.size());
+  for (const studies::SweepAxis& axis : study.sweep) {
+    const auto others = zipped_with(study, axis.setting->name);
+    fmt::print("  axis     {} ({}){}\n", axis.setting->name, results::count_text(axis.values.size(), "value"),
+               others.empty() ? "" : fmt::format(", zipped with {}", fmt::join(others, " and ")));
+  }
   for (const auto& method : study.methods) fmt::print("  method   {} ({})\n", method.label, method.solver);
   for (const std::string& remark : plan.remarks) fmt::print("  note     {}\n", remark);
-  fmt::print("  cells    {}\n", plan.cells.size());
+  const std::size_t excluded = crossed_cells(study) - plan.cells.size();
+  fmt::print("  cells    {}{}\n", plan.cells.size(), excluded == 0 ? "" : fmt::format(", {} excluded", excluded));
 }
 
 void print_trials(const studies::Study& study, const Totals& totals, double most_trials) {
@@ -89,16 +114,20 @@ void print_storage(const studies::Study& study, const studies::Plan& plan, const
   const std::uint64_t kept = plan.header.kept_trials;
   const std::string which =
       kept >= totals.most ? std::string("all trials") : fmt::format("the first {} trials of each cell", kept);
+  const bool is_too_small = kept == 0 && study.trial_columns_mib > 0.0;
   fmt::print("  kept     {}\n",
-             kept == 0 ? "no values of single trials"
-                       : fmt::format("the values of {}: {}, at most {:g} MiB", which,
-                                     size_text(totals.kept * cost.bytes_per_trial), study.trial_columns_mib));
+             is_too_small ? "no values of single trials: " + too_small_text(study, plan)
+             : kept == 0  ? "no values of single trials"
+                          : fmt::format("the values of {}: {}, at most {:g} MiB", which,
+                                        size_text(totals.kept * cost.bytes_per_trial), study.trial_columns_mib));
   const double digests =
       static_cast<double>(totals.blocks) * static_cast<double>(plan.header.methods.size()) * bytes_per_block;
-  const double bytes = cost.of(static_cast<double>(plan.cells.size()), totals.kept).bytes + digests;
-  fmt::print("  disk     about {}, and as much again until its parts are sealed\n", size_text(bytes));
+  const results::WritingCost::Amount amount = cost.of(static_cast<double>(plan.cells.size()), totals.kept);
+  const double result = amount.bytes + digests;
+  const double parts = amount.part_bytes + digests;
+  fmt::print("  disk     about {}, and {} in parts until they are sealed\n", size_text(result), size_text(parts));
   const double free = free_bytes(".");
-  if (2.0 * bytes > free) fmt::print("  note     only {} are free in this folder\n", size_text(free));
+  if (result + parts > free) fmt::print("  note     only {} are free in this folder\n", size_text(free));
 }
 
 /// Prints it and returns the seconds that the study is expected to take.
@@ -113,17 +142,7 @@ double print_plan(const studies::Study& study, core::Isa isa, int threads) {
   if (cell_trials.empty()) cell_trials.assign(plan.cells.size(), study.trials);
   const Totals totals = totals_of(plan.header, cell_trials);
   const double most_trials = study.stop ? static_cast<double>(study.stop->max_trials) * cells : totals.trials;
-  if (plan.header.kept_trials == 0) pilot.columns.clear();
-  // Not even a full disk for temporary files keeps from the rest of the plan.
-  results::WritingCost cost;
-  std::string not_reckoned;
-  try {
-    cost = results::try_writing(plan.header, std::move(pilot.rows), std::move(pilot.columns));
-  } catch (const core::IoError& error) {
-    not_reckoned = error.what();
-    cost.bytes_per_trial = static_cast<double>(studies::bytes_per_trial(study));
-    cost.per_byte.bytes = 1.0;
-  }
+  const auto [cost, not_reckoned] = writing_forecast(study, plan, pilot.rows, std::move(pilot.columns), cell_trials);
 
   print_contents(study, plan);
   print_trials(study, totals, most_trials);

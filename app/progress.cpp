@@ -37,6 +37,24 @@ std::size_t terminal_columns() {
 
 }  // namespace
 
+std::string progress_text(const std::string& name, const studies::RunProgress& progress, bool may_grow, double seconds,
+                          bool is_terminal) {
+  const auto run = static_cast<double>(progress.trials_done.load());
+  const double done = run + static_cast<double>(progress.trials_found.load());
+  const auto total = static_cast<double>(std::max<std::uint64_t>(progress.trials_total.load(), 1));
+  // The last trials may be done while their part is still being written.
+  if (progress.is_writing.load() || (!may_grow && done >= total))
+    return fmt::format("{}: all trials are done, writing the result", name);
+  const double share = std::min(done / total, 1.0);
+  const double speed = run / seconds;
+  const std::string left = speed > 0.0 ? duration_text(std::max(total - done, 0.0) / speed) : std::string("?");
+  const std::string rate = rate_text(speed);
+  if (!is_terminal) return fmt::format("{}: {:.1f} %, {}, {} left", name, share * 100.0, rate, left);
+  const auto filled = static_cast<std::size_t>(share * bar_width);
+  return fmt::format("{} {:3.0f}% [{}{}] {}, {} left", name, share * 100.0, std::string(filled, '#'),
+                     std::string(bar_width - filled, '.'), rate, left);
+}
+
 ProgressDisplay::ProgressDisplay(std::string name, const studies::RunProgress& progress, bool may_grow)
     : terminal_(is_terminal()),
       thread_([this, name = std::move(name), &progress, may_grow](const std::stop_token& stop) {
@@ -57,26 +75,7 @@ void ProgressDisplay::show(const std::stop_token& stop, const std::string& name,
   const Clock::time_point begin = Clock::now();
   while (!wake.wait_for(lock, stop, terminal_ ? Clock::duration(terminal_interval) : Clock::duration(log_interval),
                         [&] { return stop.stop_requested(); })) {
-    const double seconds = core::seconds_since(begin);
-    const auto run = static_cast<double>(progress.trials_done.load());
-    const double done = run + static_cast<double>(progress.trials_found.load());
-    const auto total = static_cast<double>(std::max<std::uint64_t>(progress.trials_total.load(), 1));
-    // The last trials may be done while their part is still being written. A stop rule may ask for more.
-    if (progress.is_writing.load() || (!may_grow && done >= total)) {
-      print_line(fmt::format("{}: all trials are done, writing the result", name));
-      continue;
-    }
-    const double share = std::min(done / total, 1.0);
-    const double speed = run / seconds;
-    const std::string left = speed > 0.0 ? duration_text(std::max(total - done, 0.0) / speed) : std::string("?");
-    const std::string rate = rate_text(speed);
-    if (terminal_) {
-      const auto filled = static_cast<std::size_t>(share * bar_width);
-      print_line(fmt::format("{} {:3.0f}% [{}{}] {}, {} left", name, share * 100.0, std::string(filled, '#'),
-                             std::string(bar_width - filled, '.'), rate, left));
-    } else {
-      print_line(fmt::format("{}: {:.1f} %, {}, {} left", name, share * 100.0, rate, left));
-    }
+    print_line(progress_text(name, progress, may_grow, core::seconds_since(begin), terminal_));
   }
   if (terminal_) say("\r\x1b[K");
 }

@@ -99,10 +99,12 @@ void print_surplus(const Job& job) {
   }
   const std::uint64_t cells = header.cells.size() - job.assignment.cells.size();
   const std::uint64_t methods = job.study.methods.size() - asked_methods(job);
-  if (cells + methods > 0) {
-    say(fmt::format("{}: has {} and {} besides those asked for; they stay\n", job.output.string(),
-                    results::count_text(cells, "cell"), results::count_text(methods, "method")));
-  }
+  std::vector<std::string> more;
+  if (cells > 0) more.push_back(results::count_text(cells, "cell"));
+  if (methods > 0) more.push_back(results::count_text(methods, "method"));
+  if (more.empty()) return;
+  say(fmt::format("{}: has {} besides what was asked for; {}\n", job.output.string(), fmt::join(more, " and "),
+                  cells + methods == 1 ? "it stays" : "they stay"));
 }
 
 /// Of which trials the values are kept, where it is not all of them.
@@ -110,6 +112,8 @@ void print_kept(const Job& job) {
   const std::uint64_t kept = job.plan.header.kept_trials;
   // A stop rule may need as many as it allows.
   const std::uint64_t most = job.study.stop ? job.study.stop->max_trials : job.plan.header.trials;
+  if (kept == 0 && job.study.trial_columns_mib > 0.0)
+    say(fmt::format("{}: keeps no values of single trials: {}\n", job.study.name, too_small_text(job.study, job.plan)));
   if (kept == 0 || kept >= most) return;
   say(
       fmt::format("{}: keeps the values of the first {} of {}{} trials of each cell, at most {:g} MiB in all ([store] "

@@ -51,6 +51,7 @@ AxisRange horizontal_range(const FigureData& data) {
   }
   const double first = data.x_ticks.front().position;
   const double last = data.x_ticks.back().position;
+  if (data.is_categorical) return {first - 0.5, last + 0.5};
   constexpr double share = 0.04;
   if (data.log_x) return beyond({first, last}, share, last > first ? 1.0 : std::pow(10.0, share));
   const double padding = share * (last > first ? last - first : 1.0);

@@ -1,6 +1,7 @@
 #include "results/figures/figure_bounds.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +57,7 @@ void FigureBounds::add(const SummaryRow& row, Place place) {
 
   Line& line = lines_[{place.panel, std::move(place.axes), metric, kind}];
   line.groups.insert(place.group);
-  line.label = std::move(place.label);
+  line.texts = std::move(place.texts);
   if (line.points.contains(place.x)) return;
   const auto bound = first_row(summary_, row.cell, metrics[metric].name);
   if (!bound) return;
@@ -78,21 +79,49 @@ void FigureBounds::add_expectation(const SummaryRow& row, const Place& place) {
   if (range.hi - range.lo > entry->second.hi - entry->second.lo) entry->second = point;
 }
 
+bool FigureBounds::unite(Line& line, const Line& other) {
+  std::size_t shared = 0;
+  for (const auto& [x, point] : other.points) {
+    const auto same = line.points.find(x);
+    if (same == line.points.end()) continue;
+    if (same->second.y != point.y || same->second.lo != point.lo || same->second.hi != point.hi) return false;
+    ++shared;
+  }
+  if (shared == 0) return false;
+  line.groups.insert(other.groups.begin(), other.groups.end());
+  line.points.insert(other.points.begin(), other.points.end());
+  std::erase_if(line.texts,
+                [&](const std::string& text) { return std::ranges::find(other.texts, text) == other.texts.end(); });
+  return true;
+}
+
+std::vector<std::pair<FigureBounds::Key, FigureBounds::Line>> FigureBounds::distinct_lines() const {
+  std::vector<std::pair<Key, Line>> distinct;
+  for (const auto& [key, line] : lines_) {
+    const bool is_known = std::ranges::any_of(distinct, [&, &of = key, &more = line](auto& known) {
+      const Key& other = known.first;
+      return other.panel == of.panel && other.metric == of.metric && other.kind == of.kind && unite(known.second, more);
+    });
+    if (!is_known && !line.points.empty()) distinct.emplace_back(key, line);
+  }
+  return distinct;
+}
+
 void FigureBounds::finish(FigureData& data) const {
+  const auto lines = distinct_lines();
   std::map<std::size_t, std::size_t> bands;  // by panel
-  for (const auto& [key, line] : lines_) bands[key.panel] += key.kind == BoundKind::Quantiles ? 1 : 0;
+  for (const auto& [key, line] : lines) bands[key.panel] += key.kind == BoundKind::Quantiles ? 1 : 0;
   const bool has_bands = std::ranges::all_of(bands, [](const auto& panel) { return panel.second <= most_bands; });
 
   const auto& metrics = summary_.header.schema.metrics;
   std::map<std::string, std::size_t> entries;
   std::set<std::size_t> drawn;
-  for (const auto& [key, line] : lines_) {
-    if (line.points.empty()) continue;
+  for (const auto& [key, line] : lines) {
     drawn.insert(key.metric);
     FigureBound bound;
     // The one group there is has no entry in the legend that would explain its colour.
     if (line.groups.size() == 1 && data.groups.size() > 1) bound.group = *line.groups.begin();
-    const std::string of = bound.group || line.label.empty() ? "" : fmt::format(" ({})", line.label);
+    const std::string of = bound.group || line.texts.empty() ? "" : fmt::format(" ({})", fmt::join(line.texts, ", "));
     const bool is_bound = key.kind != BoundKind::None;
     const std::string text =
         is_bound ? fmt::format("bound of unbiased estimates, {}{}", bound_kind_text(key.kind, has_bands), of)

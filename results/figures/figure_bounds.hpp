@@ -19,21 +19,21 @@ namespace ridgeloc::results {
 ///
 /// Where the figure shows root mean squares and the mean square of the bound is finite (`BoundKind`), that is the root
 /// mean square of the bound; elsewhere its median, with its quartiles as a band if no panel has more than three of
-/// them. A bound that does not depend on the method is drawn once: in the colour of the group that it belongs to, or in
-/// grey where several share it.
+/// them. A bound that several groups share, since it does not depend on the method or on what else tells them apart, is
+/// drawn once: in the colour of the group that it belongs to, or in grey where it belongs to several.
 class FigureBounds {
  public:
   FigureBounds(const Summary& summary, const FigureSpec& spec, const FigureNames& names);
 
   /// A point of the figure: its panel, group and metric, where it stands, and its values of those axes that tell groups
-  /// apart, with a text that names them.
+  /// apart, with a text for each.
   struct Place {
     std::size_t panel = 0;
     std::size_t group = 0;
     std::size_t metric = 0;  ///< index into the figure's y
     double x = 0.0;
     std::vector<std::size_t> axes;
-    std::string label;
+    std::vector<std::string> texts;
   };
   /// Notes the bound of a point; nothing where the metric has none.
   void add(const SummaryRow& row, Place place);
@@ -44,7 +44,7 @@ class FigureBounds {
  private:
   struct Line {
     std::set<std::size_t> groups;
-    std::string label;
+    std::vector<std::string> texts;  ///< of the axes that tell groups apart, those that all of its groups share
     std::map<double, FigurePoint> points;
   };
   /// Panel, values of the axes, bound metric, kind of statistic.
@@ -55,6 +55,11 @@ class FigureBounds {
     BoundKind kind;
     auto operator<=>(const Key&) const = default;
   };
+
+  /// Takes another line into this one if it is the same wherever both have points. Returns whether it is.
+  static bool unite(Line& line, const Line& other);
+  /// All lines, equal ones once.
+  std::vector<std::pair<Key, Line>> distinct_lines() const;
 
   void add_expectation(const SummaryRow& row, const Place& place);
 

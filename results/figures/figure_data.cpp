@@ -4,17 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "core/error.hpp"
 #include "results/figures/figure_bounds.hpp"
 #include "results/figures/figure_distribution.hpp"
 #include "results/figures/figure_names.hpp"
 #include "results/figures/figure_points.hpp"
+#include "results/figures/figure_population.hpp"
+#include "results/figures/figure_settings.hpp"
 #include "results/figures/figure_texts.hpp"
+#include "results/figures/horizontal_axis.hpp"
 #include "results/schema/text.hpp"
 #include "results/summary/alarm.hpp"
 #include "results/summary/ratio.hpp"
@@ -29,41 +32,8 @@ constexpr std::size_t method_dimension = FigureNames::method_dimension;
 /// More lines in a panel cannot be told apart.
 constexpr std::size_t most_lines = 30;
 
-std::optional<double> number(const FactorValue& value) {
-  if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
-  if (const auto* real = std::get_if<double>(&value)) return *real;
-  return std::nullopt;
-}
-
-/// Where each value of an axis stands: itself, or its index when any of them is a text.
-std::vector<double> positions(const Axis& axis) {
-  std::vector<double> result;
-  for (const FactorValue& value : axis.values) {
-    if (const auto x = number(value)) result.push_back(*x);
-  }
-  if (result.size() == axis.values.size()) return result;
-  result.clear();
-  for (std::size_t i = 0; i < axis.values.size(); ++i) result.push_back(static_cast<double>(i));
-  return result;
-}
-
-bool is_positive(const Axis& axis) {
-  return std::ranges::all_of(axis.values, [](const FactorValue& value) {
-    const auto x = number(value);
-    return x && *x > 0.0;
-  });
-}
-
-bool spans_decades(const Axis& axis) {
-  double low = std::numeric_limits<double>::infinity();
-  double high = 0.0;
-  for (const FactorValue& value : axis.values) {
-    const auto x = number(value);
-    low = std::min(low, x.value_or(0.0));
-    high = std::max(high, x.value_or(0.0));
-  }
-  return is_positive(axis) && axis.values.size() > 2 && high >= 100.0 * low;
-}
+/// Of the distance of two categories, what the points of one take beside each other.
+constexpr double share_of_category = 0.6;
 
 /// A picture of a run that goes on is not to be taken for its result.
 std::string marked_incomplete(const std::string& title) {
@@ -78,6 +48,7 @@ class Builder {
         spec_(spec),
         view_(view),
         names_(resolve_figure_names(summary.header, spec)),
+        settings_(summary.header, names_),
         bounds_(summary, spec, names_) {
     for (SummaryRow& row : summary_rows(summary)) {
       for (std::size_t metric = 0; metric < names_.y.size(); ++metric) {
@@ -93,18 +64,16 @@ class Builder {
     FigureData data;
     data.view = view_;
     data.title = summary_.is_sealed ? spec_.title : marked_incomplete(spec_.title);
-    data.conditions = conditions();
+    data.conditions = settings_.conditions();
+    number_in_order(groups_, names_.group);
+    number_in_order(facets_, names_.facet);
+    name_groups(data);
     if (names_.x) {
-      place_axis(data, header_.axes[*names_.x]);
+      place_axis(data);
     } else if (!rows_.empty()) {
       place_distribution(data);
     }
     for (const auto& [metric, row] : rows_) add(data, metric, row);
-    if (grouped_by_one_axis()) {
-      const Axis& grouping = header_.axes[names_.group.front()];
-      data.group_title = axis_label(grouping);
-      for (const auto& [values, group] : groups_) data.groups[group] = factor_text(grouping.values[values.front()]);
-    }
     if (data.panels.empty()) {
       throw core::InputError(
           fmt::format("figure '{}': none of its methods reports {}; `ridgeloc summary` lists what there is", spec_.name,
@@ -116,17 +85,35 @@ class Builder {
   }
 
  private:
-  using Key = std::vector<std::size_t>;
+  using Key = FigureSettings::Key;
 
-  void place_axis(FigureData& data, const Axis& axis) {
-    data.x_label = axis_label(axis);
-    data.log_x = view_.log_x || spans_decades(axis);
-    if (data.log_x && !is_positive(axis)) {
-      throw core::InputError(
-          fmt::format("figure '{}': --log-x needs an axis of numbers above 0, and {} is none", spec_.name, axis.name));
-    }
-    x_ = positions(axis);
-    for (const std::size_t i : drawn_values(*names_.x)) data.x_ticks.push_back({x_[i], factor_text(axis.values[i])});
+  /// Numbers the values of some dimensions in the order of the grid, methods last, also where cells are left out.
+  void number_in_order(std::map<Key, std::size_t>& numbers, const Key& dimensions) const {
+    Key grid = dimensions;
+    std::ranges::sort(grid);
+    std::map<Key, Key> keys;
+    for (const auto& [metric, row] : rows_)
+      keys.emplace(settings_.key(row.cell, row.method, grid), settings_.key(row.cell, row.method, dimensions));
+    for (const auto& entry : keys) numbers.emplace(entry.second, numbers.size());
+  }
+
+  /// Legend texts; of a single axis its values alone, below its name.
+  void name_groups(FigureData& data) const {
+    data.groups.resize(groups_.size());
+    const bool is_one_axis = names_.group.size() == 1 && names_.group.front() != method_dimension;
+    if (is_one_axis) data.group_title = settings_.title(names_.group.front());
+    for (const auto& [values, group] : groups_)
+      data.groups[group] = is_one_axis ? settings_.value_text(names_.group.front(), values.front())
+                                       : settings_.label(names_.group, values);
+  }
+
+  void place_axis(FigureData& data) {
+    HorizontalAxis axis = horizontal_axis(header_, spec_, names_, settings_, view_.log_x);
+    data.x_label = settings_.title(*names_.x);
+    data.log_x = axis.log;
+    data.is_categorical = axis.is_categorical;
+    data.x_ticks = std::move(axis.ticks);
+    x_ = std::move(axis.positions);
     for (const std::vector<Quantity>& scale : scales_) {
       // Beside other quantities rates are not to be told from their logarithms.
       const bool log = spec_.log_y && (scales_.size() == 1 || scale.front().statistic != Statistic::Rate);
@@ -191,80 +178,35 @@ class Builder {
     if (several) names_.group.push_back(method_dimension);
   }
 
-  Key key(const SummaryRow& row, const Key& dimensions) const {
-    Key result;
-    for (const std::size_t dimension : dimensions) {
-      result.push_back(dimension == method_dimension ? row.method : header_.cells[row.cell].indices[dimension]);
-    }
-    return result;
-  }
-
-  /// Indices of the values of an axis that drawn cells have, ascending.
-  std::set<std::size_t> drawn_values(std::size_t axis) const {
-    std::set<std::size_t> values;
-    for (std::size_t cell = 0; cell < header_.cells.size(); ++cell) {
-      if (names_.is_drawn[cell]) values.insert(header_.cells[cell].indices[axis]);
-    }
-    return values;
-  }
-
-  /// Those axes that the figure does not name and in which the cells that it shows do not differ, unlike those of the
-  /// study.
-  std::string conditions() const {
-    std::string text;
-    for (std::size_t axis = 0; axis < header_.axes.size(); ++axis) {
-      if (is_placed(axis) || header_.axes[axis].values.size() < 2) continue;
-      const std::set<std::size_t> values = drawn_values(axis);
-      if (values.size() == 1) text += (text.empty() ? "" : ", ") + label({axis}, {*values.begin()});
-    }
-    return text;
-  }
-
-  bool is_placed(std::size_t axis) const {
-    return axis == names_.x || key_contains(names_.group, axis) || key_contains(names_.facet, axis);
-  }
-
   Key axes_of_group() const {
     Key axes = names_.group;
     std::erase(axes, method_dimension);
     return axes;
   }
 
-  bool grouped_by_one_axis() const { return names_.group.size() == 1 && names_.group.front() != method_dimension; }
-
-  /// "points = 3, rrr".
-  std::string label(const Key& dimensions, const Key& values) const {
-    std::string text;
-    for (std::size_t i = 0; i < dimensions.size(); ++i) {
-      if (i > 0) text += ", ";
-      if (dimensions[i] == method_dimension) {
-        text += header_.methods[values[i]].label;
-      } else {
-        const Axis& axis = header_.axes[dimensions[i]];
-        text += fmt::format("{} = {}", axis.name, factor_text(axis.values[values[i]]));
-      }
-    }
-    return text;
+  std::string facet_label(std::size_t facet) const {
+    const auto found = std::ranges::find(facets_, facet, &std::pair<const Key, std::size_t>::second);
+    return settings_.label(names_.facet, found->first);
   }
 
-  /// Index of `values`' label, in order of first appearance: rows come in order of the grid.
-  std::size_t enter(std::map<Key, std::size_t>& seen, std::vector<std::string>& labels, const Key& dimensions,
-                    const Key& values) const {
-    const auto [entry, is_new] = seen.try_emplace(values, labels.size());
-    if (is_new) labels.push_back(label(dimensions, values));
-    return entry->second;
+  /// Where a point stands: at its value, or beside others of its category.
+  double place_of(const FigureData& data, std::size_t x_index, std::size_t group, std::size_t metric) const {
+    if (!data.is_categorical) return x_[x_index];
+    const auto places = static_cast<double>(groups_.size() * data.metrics.size());
+    const auto place = static_cast<double>(group * data.metrics.size() + metric);
+    return x_[x_index] + share_of_category * ((place + 0.5) / places - 0.5);
   }
 
   /// The panel of a facet and a scale; the scales of a facet stand beside each other.
   FigurePanel& panel_of(FigureData& data, std::size_t facet, std::size_t scale) const {
     while (data.panels.size() <= facet * scales_.size() + scale)
-      data.panels.push_back({facet_labels_[data.panels.size() / scales_.size()], data.panels.size() % scales_.size()});
+      data.panels.push_back({facet_label(data.panels.size() / scales_.size()), data.panels.size() % scales_.size()});
     return data.panels[facet * scales_.size() + scale];
   }
 
   void add(FigureData& data, std::size_t metric, const SummaryRow& row) {
-    const std::size_t group = enter(groups_, data.groups, names_.group, key(row, names_.group));
-    const std::size_t facet = enter(facets_, facet_labels_, names_.facet, key(row, names_.facet));
+    const std::size_t group = groups_.at(settings_.key(row.cell, row.method, names_.group));
+    const std::size_t facet = facets_.at(settings_.key(row.cell, row.method, names_.facet));
     std::vector<FigureLine>& lines = panel_of(data, facet, scale_of_[metric]).lines;
     const std::size_t entry = has_metric_legend() ? metric : 0;
     auto line = std::find_if(lines.begin(), lines.end(),
@@ -280,19 +222,21 @@ class Builder {
     } else {
       const Quantity& quantity = names_.y[metric];
       const bool has_histogram = quantity.statistic == Statistic::Quantile && row.n > 0;
-      const FigurePoint point =
-          figure_point(row, has_histogram ? histogram_of(row) : Histogram(), quantity, x_[x_index]);
+      const FigurePoint point = figure_point(row, has_histogram ? histogram_of(row) : Histogram(), quantity,
+                                             place_of(data, x_index, group, entry));
       if (std::isnan(point.y)) return;
       line->points.push_back(point);
-      const Key axes = axes_of_group();
-      const Key values = key(row, axes);
-      bounds_.add(row,
-                  {facet * scales_.size() + scale_of_[metric], group, metric, point.x, values, label(axes, values)});
+      add_bound(row, facet, group, metric, x_[x_index]);
     }
-    fewest_trials_ = std::min(fewest_trials_, row.n);
-    most_trials_ = std::max(most_trials_, row.n);
-    if (const std::uint64_t all = summary_.of(row.cell, row.method).trials; all > 0)
-      smallest_share_ = std::min(smallest_share_, static_cast<double>(row.n) / static_cast<double>(all));
+    population_.add(row.n, summary_.of(row.cell, row.method).trials);
+  }
+
+  void add_bound(const SummaryRow& row, std::size_t facet, std::size_t group, std::size_t metric, double x) {
+    const Key axes = axes_of_group();
+    const Key values = settings_.key(row.cell, row.method, axes);
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < axes.size(); ++i) texts.push_back(settings_.setting(axes[i], values[i]));
+    bounds_.add(row, {facet * scales_.size() + scale_of_[metric], group, metric, x, values, std::move(texts)});
   }
 
   void refuse_crowd(const FigureData& data) const {
@@ -313,15 +257,12 @@ class Builder {
   [[noreturn]] void refuse_overlap(const SummaryRow& row) const {
     std::string axes;
     for (std::size_t i = 0; i < header_.axes.size(); ++i) {
-      if (!is_placed(i) && header_.axes[i].values.size() > 1) axes += (axes.empty() ? "" : ", ") + header_.axes[i].name;
+      if (!settings_.is_placed(i) && header_.axes[i].values.size() > 1)
+        axes += (axes.empty() ? "" : ", ") + header_.axes[i].name;
     }
     throw core::InputError(
         fmt::format("figure '{}': several cells fall on one {}, among them {}; add to group or facet: {}", spec_.name,
                     names_.x ? "point" : "line", cell_text(header_, row.cell), axes));
-  }
-
-  static bool key_contains(const Key& dimensions, std::size_t dimension) {
-    return std::find(dimensions.begin(), dimensions.end(), dimension) != dimensions.end();
   }
 
   void finish(FigureData& data) const {
@@ -333,9 +274,8 @@ class Builder {
         for (const FigurePoint& point : line.points) untrusted = untrusted || !point.trusted;
       }
     }
-    std::sort(data.x_ticks.begin(), data.x_ticks.end(),
-              [](const FigureTick& a, const FigureTick& b) { return a.position < b.position; });
-    data.footnote = footnote(data.style);
+    data.footnote =
+        distribution_ ? population_.text_of_lines(data.style, largest_share_outside_) : population_.text_of_points();
     bounds_.finish(data);
     if (untrusted) data.footnote += "; dotted bars: the interval itself is uncertain";
     std::set<std::pair<std::size_t, std::size_t>> drawn;
@@ -343,29 +283,12 @@ class Builder {
     if (const std::string alarms = alarm_text(summary_, drawn); !alarms.empty()) data.footnote += "; " + alarms;
   }
 
-  std::string footnote(FigureStyle style) const {
-    const std::string trials = fewest_trials_ >= most_trials_ ? fmt::format("{}", most_trials_)
-                                                              : fmt::format("{} to {}", fewest_trials_, most_trials_);
-    if (!distribution_) {
-      const std::string share = smallest_share_ < 1.0
-                                    ? fmt::format(" ({:.2g} % or more of those that were run)", 100.0 * smallest_share_)
-                                    : "";
-      return fmt::format("{} trials per point{}; bars: 95 % intervals; points share trials and are not independent",
-                         trials, share);
-    }
-    std::string text = trials + " values per line";
-    if (style == FigureStyle::Bands) text += "; bands: 95 % intervals at each place";
-    if (largest_share_outside_ > 0.0) {
-      text += fmt::format("; outside of the axis: at most {:.2g} % of a line", 100.0 * largest_share_outside_);
-    }
-    return text + "; lines share trials and are not independent";
-  }
-
   const Summary& summary_;
   const Header& header_;
   const FigureSpec& spec_;
   const FigureView& view_;
   FigureNames names_;
+  FigureSettings settings_;
   FigureBounds bounds_;
   std::vector<std::pair<std::size_t, SummaryRow>> rows_;  ///< index into y, row
   std::vector<std::vector<Quantity>> scales_;             ///< quantities by the axis that they share
@@ -375,11 +298,8 @@ class Builder {
   double largest_share_outside_ = 0.0;
   std::map<Key, std::size_t> groups_;
   std::map<Key, std::size_t> facets_;
-  std::vector<std::string> facet_labels_;
   std::map<Key, std::size_t> occupied_;
-  std::uint64_t fewest_trials_ = std::numeric_limits<std::uint64_t>::max();
-  std::uint64_t most_trials_ = 0;
-  double smallest_share_ = 1.0;  ///< of the trials that were run, in the population of a point
+  FigurePopulation population_;
 };
 
 }  // namespace

@@ -69,7 +69,8 @@ struct FigureData {
   std::string x_label;
   std::vector<FigureScale> scales;
   std::vector<FigureTick> x_ticks;  ///< at the values of the axis; categories stand at 0, 1, 2, ...
-  bool log_x = false;               ///< an axis of positive numbers that spans at least a factor of 100
+  bool log_x = false;
+  bool is_categorical = false;  ///< the axis has no numbers: nothing lies between its values, and no line joins them
   FigureStyle style = FigureStyle::Marks;
   std::string group_title;           ///< what the legend texts of the groups are values of; may be empty
   std::vector<std::string> groups;   ///< legend texts; one empty text where nothing is grouped

@@ -23,14 +23,25 @@ constexpr double between_columns = 2.0;
 constexpr double x_axis_height = 6.6;  ///< from the lowest panel to the label of the axis
 constexpr double footnote_distance = 4.6;
 
-/// Puts entries below `y`; returns where the next line goes. Of groups and metrics a single one needs none.
+/// Puts entries below `y`; returns where the next line goes. Of groups and metrics a single one needs none. Texts that
+/// are longer than the page is wide take several lines.
 double place_legend(const std::vector<std::string>& texts, LegendEntry::Kind kind, double y, FigureLayout& layout) {
   if (texts.size() < 2 && kind != LegendEntry::Kind::Bound) return y;
-  const LegendGrid grid = legend_grid(texts, y, layout.page.width);
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    layout.legend.push_back({grid.places[i].x, grid.places[i].y, kind, i});
+  const double room = layout.page.width - 2.0 * PageStyle::edge - PageStyle::sample_length - PageStyle::sample_gap;
+  const auto fits = [&](const std::string& text) { return display_width(text) <= characters(room, small_character); };
+  if (std::ranges::all_of(texts, fits)) {
+    const LegendGrid grid = legend_grid(texts, y, layout.page.width);
+    for (std::size_t i = 0; i < texts.size(); ++i)
+      layout.legend.push_back({grid.places[i].x, grid.places[i].y, kind, i, {texts[i]}});
+    return grid.end;
   }
-  return grid.end;
+  // Lines that are full to the end may be of wide characters.
+  const std::size_t most = characters(room, title_character);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    layout.legend.push_back({PageStyle::edge, y, kind, i, broken(texts[i], most)});
+    y += static_cast<double>(layout.legend.back().lines.size()) * PageStyle::line_height;
+  }
+  return y;
 }
 
 std::size_t digits_of(const std::string& number) {
@@ -50,11 +61,27 @@ double tick_width(bool log_y, const AxisRange& range) {
   return 11.0 + wide_digit * static_cast<double>(longest - usual);
 }
 
-std::vector<FigureTick> spaced_ticks(const FigureData& data, const FigureLayout& layout) {
+/// Categories whose texts have no room beside each other get numbers. Returns what these stand for, in lines.
+std::vector<std::string> numbered_categories(std::vector<FigureTick>& ticks, double axis, double text_width) {
+  const double room = axis / static_cast<double>(ticks.size()) - small_character;
+  const std::size_t most = characters(std::max(room, 0.0), small_character);
+  if (std::ranges::all_of(ticks, [&](const FigureTick& tick) { return display_width(tick.label) <= most; })) return {};
+  std::vector<std::string> key;
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const std::string number = fmt::format("({})", i + 1);
+    for (std::string& line : broken(number + " " + ticks[i].label, characters(text_width, footnote_character)))
+      key.push_back(std::move(line));
+    ticks[i].label = number;
+  }
+  return key;
+}
+
+/// The ticks within the axis, those labels left out that would run into each other.
+std::vector<FigureTick> spaced_ticks(const FigureData& data, const FigureLayout& layout,
+                                     const std::vector<FigureTick>& all, double axis) {
   std::vector<FigureTick> ticks;
-  const double axis = layout.panels.front().right - layout.panels.front().left;
   double free_from = -std::numeric_limits<double>::infinity();
-  for (FigureTick tick : data.x_ticks) {
+  for (FigureTick tick : all) {
     const double share = share_of_axis(layout.x, data.log_x, tick.position);
     if (share < 0.0 || share > 1.0) continue;
     const double half = 0.5 * small_character * static_cast<double>(display_width(tick.label));
@@ -194,7 +221,8 @@ FigureLayout figure_layout(const FigureData& data) {
   y += static_cast<double>(layout.conditions.size()) * PageStyle::line_height;
   if (!layout.title.empty() || !layout.conditions.empty()) y += 0.8;
   layout.legend_title_y = y;
-  if (data.groups.size() > 1 && !data.group_title.empty()) y += PageStyle::line_height;
+  if (data.groups.size() > 1) layout.legend_title = wrapped(data.group_title, characters(text_width, small_character));
+  y += static_cast<double>(layout.legend_title.size()) * PageStyle::line_height;
   y = place_legend(data.groups, LegendEntry::Kind::Group, y, layout);
   y = place_legend(data.metrics, LegendEntry::Kind::Metric, y, layout);
   y = place_legend(data.bounds, LegendEntry::Kind::Bound, y, layout);
@@ -209,8 +237,16 @@ FigureLayout figure_layout(const FigureData& data) {
   grid.panel_width = (layout.page.width - gaps) / columns;
   layout.x = horizontal_range(data);
   place_panels(data, grid, y, layout);
+  std::vector<FigureTick> ticks = data.x_ticks;
+  if (data.is_categorical) layout.key = numbered_categories(ticks, grid.panel_width, text_width);
+  layout.ticks = spaced_ticks(data, layout, ticks, grid.panel_width);
   layout.footnote = wrapped(footnote(data, layout), characters(text_width, footnote_character));
-  const double below = x_axis_height + footnote_distance + PageStyle::edge +
+  const double key_height =
+      layout.key.empty() ? 0.0 : 0.8 + static_cast<double>(layout.key.size()) * PageStyle::footnote_line_height;
+  layout.x_label_x = (layout.panels.front().left + layout.page.width - PageStyle::right) / 2.0;
+  layout.x_label = wrapped(data.x_label, characters(2.0 * (layout.page.width - layout.x_label_x), small_character));
+  const double x_label_height = PageStyle::line_height * (static_cast<double>(layout.x_label.size()) - 1.0);
+  const double below = x_axis_height + x_label_height + footnote_distance + key_height + PageStyle::edge +
                        (static_cast<double>(layout.footnote.size()) - 0.5) * PageStyle::footnote_line_height;
   if (data.view.size) {
     const auto rows = static_cast<double>(grid.rows);
@@ -223,27 +259,33 @@ FigureLayout figure_layout(const FigureData& data) {
   }
   y += grid_height(grid);
   place_side_labels(data, grid, lines, layout);
-  layout.x_label_x = (layout.panels.front().left + layout.page.width - PageStyle::right) / 2.0;
   layout.x_label_y = y + x_axis_height;
-  layout.footnote_y = layout.x_label_y + footnote_distance;
+  layout.key_y = layout.x_label_y + x_label_height + footnote_distance;
+  layout.footnote_y = layout.key_y + key_height;
   layout.page.height = y + below;
-  layout.ticks = spaced_ticks(data, layout);
   return layout;
 }
 
-std::vector<FigurePoint> drawn_bound(const FigureData& data, const FigureLayout& layout, const FigureBound& bound,
-                                     bool log_y) {
-  std::vector<FigurePoint> points;
-  for (const FigurePoint& point : bound.points)
-    if (is_drawable(point, log_y)) points.push_back(point);
-  if (points.size() != 1) return points;
+std::vector<std::vector<FigurePoint>> drawn_bound(const FigureData& data, const FigureLayout& layout,
+                                                  const FigureBound& bound, bool log_y) {
+  std::vector<std::vector<FigurePoint>> stretches;
+  for (const FigurePoint& point : bound.points) {
+    if (!is_drawable(point, log_y)) continue;
+    if (stretches.empty() || data.is_categorical) stretches.emplace_back();
+    stretches.back().push_back(point);
+  }
   constexpr double reach = 0.02;
-  const auto moved = [&](double by) {
-    FigurePoint point = points.front();
-    point.x = value_on_axis(layout.x, data.log_x, share_of_axis(layout.x, data.log_x, point.x) + by);
-    return point;
-  };
-  return {moved(-reach), moved(reach)};
+  const double share = data.is_categorical ? 0.35 / static_cast<double>(data.x_ticks.size()) : reach;
+  for (std::vector<FigurePoint>& stretch : stretches) {
+    if (stretch.size() > 1) continue;
+    const auto moved = [&](double by) {
+      FigurePoint point = stretch.front();
+      point.x = value_on_axis(layout.x, data.log_x, share_of_axis(layout.x, data.log_x, point.x) + by);
+      return point;
+    };
+    stretch = {moved(-share), moved(share)};
+  }
+  return stretches;
 }
 
 }  // namespace ridgeloc::results

@@ -32,6 +32,7 @@ struct LegendEntry {
   double y = 0.0;
   Kind kind = Kind::Group;
   std::size_t index = 0;  ///< into `FigureData::groups`, `metrics` or `bounds`
+  std::vector<std::string> lines = {};
 };
 
 /// Where everything stands on the page: millimetres from the upper left corner; texts by their middle line.
@@ -42,14 +43,19 @@ struct FigureLayout {
   double legend_title_y = 0.0;
   double x_label_x = 0.0;
   double x_label_y = 0.0;
+  double key_y = 0.0;
   double footnote_y = 0.0;
-  std::vector<std::string> title;       ///< lines
-  std::vector<std::string> conditions;  ///< lines
-  std::vector<std::string> footnote;    ///< lines
+  std::vector<std::string> key;           ///< lines: what the numbers below the axis stand for; empty if it has none
+  std::vector<std::string> x_label;       ///< lines
+  std::vector<std::string> legend_title;  ///< lines
+  std::vector<std::string> title;         ///< lines
+  std::vector<std::string> conditions;    ///< lines
+  std::vector<std::string> footnote;      ///< lines
   std::vector<SideLabel> y_labels;
   std::vector<LegendEntry> legend;
   std::vector<PanelLayout> panels;
-  std::vector<FigureTick> ticks;  ///< within the axis; labels are empty where there is no room
+  std::vector<FigureTick>
+      ticks;  ///< within the axis; labels are empty where there is no room, those of categories numbers
   AxisRange x;
 };
 
@@ -58,8 +64,9 @@ struct FigureLayout {
 /// logarithmic axis.
 FigureLayout figure_layout(const FigureData& data);
 
-/// The points of a bound; one that has a single point reaches a little to both sides of it, to be seen.
-std::vector<FigurePoint> drawn_bound(const FigureData& data, const FigureLayout& layout, const FigureBound& bound,
-                                     bool log_y);
+/// The points of a bound, one list for each stretch that a line joins. A stretch of a single point, as each of an axis
+/// of categories, reaches to both sides of it, to be seen.
+std::vector<std::vector<FigurePoint>> drawn_bound(const FigureData& data, const FigureLayout& layout,
+                                                  const FigureBound& bound, bool log_y);
 
 }  // namespace ridgeloc::results

@@ -54,8 +54,10 @@ Style bound_style(const std::optional<std::size_t>& group, std::size_t entry) {
 }
 
 /// A line, given with its plotting style, and its marks if the figure has any. Under an open mark the line is covered.
+/// Nothing joins the marks of categories.
 std::string drawn_line(const FigureData& data, const std::string& line, const std::string& places, const Style& style) {
-  std::string elements = fmt::format("{} lw 1.2 lc rgb '{}' dt {}", line, style.colour, style.dash);
+  std::string elements;
+  if (!data.is_categorical) elements = fmt::format("{} lw 1.2 lc rgb '{}' dt {}", line, style.colour, style.dash);
   if (data.style != FigureStyle::Marks) return elements;
   const auto marks = [&](int mark, double size, const char* colour) {
     append(elements, next_element,
@@ -64,18 +66,6 @@ std::string drawn_line(const FigureData& data, const std::string& line, const st
   if (style.open) marks(style.filled_mark, 0.4, "white");
   marks(style.filled_mark - (style.open ? 1 : 0), 0.5, style.colour);
   return elements;
-}
-
-const std::string& legend_text(const FigureData& data, const LegendEntry& entry) {
-  switch (entry.kind) {
-    case LegendEntry::Kind::Metric:
-      return data.metrics[entry.index];
-    case LegendEntry::Kind::Bound:
-      return data.bounds[entry.index];
-    case LegendEntry::Kind::Group:
-      break;
-  }
-  return data.groups[entry.index];
 }
 
 std::string drawn_bound_line(const std::string& line, const Style& style) {
@@ -95,9 +85,10 @@ std::string lettering(const FigureData& data, const Layout& layout) {
   const double middle = layout.page.width / 2.0;
   lines(layout.title, middle, layout.title_y, PageStyle::line_height, "center font ',8.5'");
   lines(layout.conditions, middle, layout.conditions_y, PageStyle::line_height, "center font ',7'");
+  lines(layout.key, PageStyle::edge, layout.key_y, PageStyle::footnote_line_height, "left font ',5.5'");
   lines(layout.footnote, PageStyle::edge, layout.footnote_y, PageStyle::footnote_line_height,
         "left font ',5.5' tc rgb '#444444'");
-  script += page_text(layout.page, layout.x_label_x, layout.x_label_y, data.x_label, "center font ',7'");
+  lines(layout.x_label, layout.x_label_x, layout.x_label_y, PageStyle::line_height, "center font ',7'");
   for (const SideLabel& label : layout.y_labels) {
     double x = label.x;
     for (const std::string& line : label.lines) {
@@ -110,12 +101,10 @@ std::string lettering(const FigureData& data, const Layout& layout) {
     script += page_text(layout.page, layout.panels[i].left, layout.panels[i].label_y, data.panels[i].label,
                         "left font ',7.5'");
   }
-  if (data.groups.size() > 1) {
-    script += page_text(layout.page, middle, layout.legend_title_y, data.group_title, "center font ',7'");
-  }
+  lines(layout.legend_title, middle, layout.legend_title_y, PageStyle::line_height, "center font ',7'");
   for (const LegendEntry& entry : layout.legend) {
-    script += page_text(layout.page, entry.x + PageStyle::sample_length + PageStyle::sample_gap, entry.y,
-                        legend_text(data, entry), "left font ',7'");
+    lines(entry.lines, entry.x + PageStyle::sample_length + PageStyle::sample_gap, entry.y, PageStyle::line_height,
+          "left font ',7'");
   }
   return script;
 }
@@ -258,12 +247,16 @@ std::string draw_panel(const FigureData& data, const Layout& layout, std::size_t
   std::string elements;
   for (std::size_t i = 0; i < data.panels[index].bounds.size(); ++i) {
     const FigureBound& bound = data.panels[index].bounds[i];
-    const std::vector<FigurePoint> points = drawn_bound(data, layout, bound, log_y);
-    if (points.empty()) continue;
+    const auto stretches = drawn_bound(data, layout, bound, log_y);
+    if (stretches.empty()) continue;
     const std::string name = fmt::format("$panel{}_bound{}", index, i);
     const Style style = bound_style(bound.group, bound.entry);
     script += name + " << EOD\n";
-    for (const FigurePoint& point : points) script += point_row(place.y, point, point.x, point.hi);
+    // An empty line ends a stretch.
+    for (const std::vector<FigurePoint>& stretch : stretches) {
+      for (const FigurePoint& point : stretch) script += point_row(place.y, point, point.x, point.hi);
+      script += "\n";
+    }
     script += "EOD\n";
     if (bound.has_band) append(bands, next_element, band(name, style, bound_band_opacity));
     append(elements, next_element, drawn_bound_line(name + " using 1:2 with lines", style));

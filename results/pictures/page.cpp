@@ -47,4 +47,37 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t most) {
   return lines;
 }
 
+namespace {
+
+/// How many bytes the first `count` characters of a text take.
+std::size_t bytes_of(std::string_view text, std::size_t count) {
+  std::size_t end = 0;
+  while (end < text.size() && display_width(text.substr(0, end + 1)) <= count) ++end;
+  return end;
+}
+
+}  // namespace
+
+std::vector<std::string> broken(std::string_view text, std::size_t most) {
+  std::string spaced;
+  std::size_t in_line = 0;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    std::string_view word = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    // Longer words begin in the line that there is.
+    while (display_width(word) > most) {
+      const std::size_t room = in_line + 1 < most ? most - in_line - (in_line > 0 ? 1 : 0) : most;
+      const std::size_t bytes = bytes_of(word, room);
+      spaced += std::string(word.substr(0, bytes)) + " ";
+      word.remove_prefix(bytes);
+      in_line = 0;
+    }
+    const std::size_t width = display_width(word);
+    in_line = in_line == 0 || in_line + 1 + width > most ? width : in_line + 1 + width;
+    spaced += std::string(word) + " ";
+  }
+  return wrapped(spaced, most);
+}
+
 }  // namespace ridgeloc::results

@@ -52,4 +52,7 @@ std::size_t characters(double millimetres, double character);
 /// Breaks a text at spaces into lines of at most `most` characters (longer words stay whole).
 std::vector<std::string> wrapped(std::string_view text, std::size_t most);
 
+/// The same, with longer words broken too: for formulas, which may have no space.
+std::vector<std::string> broken(std::string_view text, std::size_t most);
+
 }  // namespace ridgeloc::results

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/elapsed.hpp"
+#include "results/blocks/expected_rows.hpp"
 #include "results/store/block_union.hpp"
 #include "results/store/part.hpp"
 #include "results/store/result_seal.hpp"
@@ -27,12 +28,25 @@ double value_bytes(const std::vector<TrialColumns>& list) {
   return static_cast<double>(bytes);
 }
 
-/// The columns of the first trial alone.
-TrialColumns beginning(TrialColumns columns) {
-  columns.trials = 1;
-  columns.status.resize(std::min<std::size_t>(columns.status.size(), 1));
-  for (std::vector<double>& metric : columns.metrics) metric.resize(std::min<std::size_t>(metric.size(), 1));
+/// The first values of a column, and over again where there are not so many.
+template <class T>
+void resize_by_repeating(std::vector<T>& column, std::size_t size) {
+  const std::size_t given = column.size();
+  column.resize(given == 0 ? 0 : size);
+  for (std::size_t i = given; i < column.size(); ++i) column[i] = column[i - given];
+}
+
+TrialColumns with_trials(TrialColumns columns, std::uint64_t trials) {
+  columns.trials = trials;
+  resize_by_repeating(columns.status, trials);
+  for (std::vector<double>& metric : columns.metrics) resize_by_repeating(metric, trials);
   return columns;
+}
+
+/// As many trials of a cell as are to be kept, or as have room: of the last ones that have any a few.
+std::uint64_t tried_trials(const TrialColumns& columns, std::uint64_t wanted, std::size_t room) {
+  const std::size_t bytes_per_trial = std::max<std::size_t>(columns.value_bytes() / columns.trials, 1);
+  return std::clamp<std::uint64_t>(wanted, 1, std::max<std::uint64_t>(room / bytes_per_trial, 1));
 }
 
 /// What writing one result took.
@@ -40,11 +54,12 @@ struct Measured {
   double wall_s = 0.0;
   double processor_s = 0.0;
   double bytes = 0.0;
+  double part_bytes = 0.0;
 };
 
 /// Writes a part and seals it, twice: what else a machine does can only make it slower.
 Measured written(const Header& header, const Part& part) {
-  Measured least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), 0.0};
+  Measured least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), 0.0, 0.0};
   for (int attempt = 0; attempt < 2; ++attempt) {
     const TemporaryFolder folder;
     const auto begin = std::chrono::steady_clock::now();
@@ -57,6 +72,7 @@ Measured written(const Header& header, const Part& part) {
     const auto ticks = static_cast<double>(std::clock() - processor_begin);
     least.processor_s = std::min(least.processor_s, ticks / static_cast<double>(CLOCKS_PER_SEC));
     least.bytes = static_cast<double>(fs::file_size(folder.path() / "result.h5"));
+    least.part_bytes = static_cast<double>(fs::file_size(folder.path() / "part.h5"));
   }
   return least;
 }
@@ -70,11 +86,14 @@ double each(double more, double less, double things) {
 
 WritingCost::Amount WritingCost::of(double cells, double kept_trials) const {
   const double bytes = kept_trials * bytes_per_trial;
-  return {fixed.seconds + cells * per_cell.seconds + bytes * per_byte.seconds,
-          fixed.bytes + cells * per_cell.bytes + bytes * per_byte.bytes};
+  const auto sum = [&](double Amount::*member) {
+    return fixed.*member + cells * per_cell.*member + bytes * per_byte.*member;
+  };
+  return {sum(&Amount::seconds), sum(&Amount::bytes), sum(&Amount::part_bytes)};
 }
 
-WritingCost try_writing(Header header, std::vector<Row> rows, std::vector<TrialColumns> columns) {
+WritingCost try_writing(Header header, const std::vector<Row>& rows, std::vector<TrialColumns> columns,
+                        const std::vector<std::uint64_t>& trials) {
   std::vector<std::size_t> cells;
   for (const Row& row : rows)
     if (cells.empty() || cells.back() != row.cell) cells.push_back(row.cell);
@@ -84,6 +103,10 @@ WritingCost try_writing(Header header, std::vector<Row> rows, std::vector<TrialC
   std::vector<CellInfo> infos;
   for (const std::size_t cell : cells) infos.push_back(header.cells[cell]);
   header.cells = std::move(infos);
+  const std::uint64_t block_trials = header.block_trials;
+  const std::uint64_t kept_trials = header.kept_trials;
+  // Every expected row is a block of its own, as long as it may be, and never a whole one, which would be merged.
+  header.block_trials = std::max(block_trials, std::ranges::max(trials)) + 1;
   header.kept_trials = std::numeric_limits<std::uint64_t>::max();
   Header header_of_one = header;
   header_of_one.cells.resize(1);
@@ -91,23 +114,24 @@ WritingCost try_writing(Header header, std::vector<Row> rows, std::vector<TrialC
   Part one{Ledger(header.block_trials), {}, {}};
   Part few{Ledger(header.block_trials), {}, {}};
   Part all{Ledger(header.block_trials), {}, {}};
-  double trials = 0.0;
-  for (Row& row : rows) {
-    row.cell = place_of(row.cell);
-    if (row.method == 0) trials += static_cast<double>(row.statistics.trials);
-    if (row.cell == 0) one.ledger.insert(row);
-    few.ledger.insert(row);
-    all.ledger.insert(std::move(row));
+  for (const Row& row : rows) {
+    for (Row& expected : expected_rows(row, trials[row.cell], block_trials)) {
+      expected.cell = place_of(row.cell);
+      if (expected.cell == 0) one.ledger.insert(expected);
+      few.ledger.insert(expected);
+      all.ledger.insert(std::move(expected));
+    }
   }
-  double bytes = 0.0;
+  WritingCost cost;
   std::size_t room = most_value_bytes;
   for (TrialColumns& kept : columns) {
+    const std::uint64_t wanted = std::min(trials[kept.cell], kept_trials);
     kept.cell = place_of(kept.cell);
-    few.columns.push_back(beginning(kept));
+    cost.bytes_per_trial += static_cast<double>(kept.value_bytes()) / static_cast<double>(kept.trials * cells.size());
+    few.columns.push_back(with_trials(kept, 1));
     if (kept.cell == 0) one.columns.push_back(few.columns.back());
-    bytes += static_cast<double>(kept.value_bytes());
-    // Beyond what is tried, the first trial alone.
-    all.columns.push_back(kept.value_bytes() <= room ? std::move(kept) : few.columns.back());
+    const std::uint64_t tried = tried_trials(kept, wanted, room);
+    all.columns.push_back(with_trials(std::move(kept), tried));
     room -= std::min(room, all.columns.back().value_bytes());
   }
 
@@ -116,14 +140,15 @@ WritingCost try_writing(Header header, std::vector<Row> rows, std::vector<TrialC
   const Measured by_one = written(header_of_one, one);
   const Measured by_few = more_cells > 0.0 ? written(header, few) : by_one;
   const Measured by_all = more_bytes > 0.0 ? written(header, all) : by_few;
-  WritingCost cost;
-  cost.bytes_per_trial = bytes / trials;
   // The disk is waited for once a file, and for bytes. What cells cost is the processor's time for their datasets.
   cost.per_cell = {each(by_few.processor_s, by_one.processor_s, more_cells),
-                   each(by_few.bytes, by_one.bytes, more_cells)};
-  cost.fixed = {each(by_one.wall_s, cost.per_cell.seconds, 1.0), each(by_one.bytes, cost.per_cell.bytes, 1.0)};
+                   each(by_few.bytes, by_one.bytes, more_cells),
+                   each(by_few.part_bytes, by_one.part_bytes, more_cells)};
+  cost.fixed = {each(by_one.wall_s, cost.per_cell.seconds, 1.0), each(by_one.bytes, cost.per_cell.bytes, 1.0),
+                each(by_one.part_bytes, cost.per_cell.part_bytes, 1.0)};
   const double for_bytes = std::max(by_all.wall_s - by_few.wall_s, by_all.processor_s - by_few.processor_s);
-  cost.per_byte = {each(for_bytes, 0.0, more_bytes), each(by_all.bytes, by_few.bytes, more_bytes)};
+  cost.per_byte = {each(for_bytes, 0.0, more_bytes), each(by_all.bytes, by_few.bytes, more_bytes),
+                   each(by_all.part_bytes, by_few.part_bytes, more_bytes)};
   return cost;
 }
 

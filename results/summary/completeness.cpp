@@ -35,6 +35,9 @@ bool is_complete(const Summary& summary) {
 std::string completeness_text(const Summary& summary) {
   const Completeness completeness = completeness_of(summary);
   const std::string cells = count_text(completeness.cells, "cell");
+  if (!summary.is_sealed && completeness.incomplete == 0)
+    return "incomplete: all trials are there, and the result has not been written from its parts; the same command "
+           "does";
   if (!summary.is_sealed)
     return fmt::format(
         "incomplete: the run has not come to its end; {} of {} lack some of {} trials; {:.3g} % of all "

@@ -4,16 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <numeric>
 #include <optional>
 
 #include "core/error.hpp"
 #include "results/schema/text.hpp"
-#include "results/statistics/interval.hpp"
 #include "results/summary/measure.hpp"
 #include "results/summary/ranking.hpp"
+#include "results/tables/latex_text.hpp"
 
 namespace ridgeloc::results {
 namespace {
@@ -36,33 +35,6 @@ const char* statistic_text(Measure::Lead lead) {
   return "";
 }
 
-/// A number as `text_with_digits` writes it, in mathematics.
-std::string number(std::string text) {
-  const auto replace = [&text](std::string_view piece, std::string_view by) {
-    const std::size_t at = text.find(piece);
-    if (at != std::string::npos) text.replace(at, piece.size(), by);
-  };
-  replace("inf", "\\infty");
-  if (const std::size_t e = text.find('e'); e != std::string::npos) {
-    const std::size_t end = std::min(text.find('(', e), text.size());
-    text = fmt::format("{}\\times 10^{{{}}}{}", text.substr(0, e), std::stoi(text.substr(e + 1)), text.substr(end));
-  }
-  return text;
-}
-
-std::string number_entry(const SummaryRow& row, Measure::Lead lead) {
-  constexpr double interval_errors = 2.0 * normal_quantile_975;
-  switch (lead) {
-    case Measure::Lead::Median:
-      return number(text_with_digits(row.p50, (row.p50_hi - row.p50_lo) / interval_errors));
-    case Measure::Lead::Rate:
-      return number(text_with_digits(row.mean, (row.hi - row.lo) / interval_errors));
-    case Measure::Lead::Mean:
-      break;
-  }
-  return number(text_with_digits(row.mean, row.mcse)) + (row.trusted ? "" : "^{!}");
-}
-
 std::string line(const std::vector<std::string>& entries) {
   return fmt::format("    {} \\\\\n", fmt::join(entries, " & "));
 }
@@ -71,20 +43,6 @@ std::string line(const std::vector<std::string>& entries) {
 std::string with_unit(const std::string& name, const std::string& description, const std::string& unit) {
   const std::string what = description.empty() ? name : description;
   return unit == "1" || unit.empty() ? what : fmt::format("{} in {}", what, unit);
-}
-
-/// The head of a column of short entries, on several lines where it is long.
-std::string narrow(const std::string& text) {
-  constexpr std::size_t longest = 20;
-  if (text.size() <= longest) return latex_text(text);
-  return fmt::format("\\multicolumn{{1}}{{p{{2.6cm}}}}{{\\raggedright {}}}", latex_text(text));
-}
-
-/// A name that `\\ref` can name.
-std::string label_text(const std::string& name) {
-  std::string label;
-  for (const char c : name) label += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' ? c : '-';
-  return label;
 }
 
 /// Methods, but no differences, that report it in any cell.
@@ -135,7 +93,7 @@ class Table {
     const std::string alignment = std::string(leading, 'l') + std::string(columns.size(), 'r');
     const std::string head = heading(leading, columns);
     const std::string about = fmt::format("\\caption{{{}}}", caption(source.digest));
-    const std::string label = fmt::format("\\label{{tab:{}}}", label_text(measure_.name));
+    const std::string label = fmt::format("\\label{{tab:{}}}", latex_label(measure_.name));
     if (entries_.size() > most_lines) {
       return fmt::format(
           "\n\\begin{{longtable}}{{{}}}\n  {}\n  {} \\\\\n    \\toprule\n{}    \\midrule\n  \\endhead\n    "
@@ -156,7 +114,7 @@ class Table {
   std::string entry(std::size_t cell, std::size_t method) {
     const SummaryRow row = summary_row(header_, method, summary_.of(cell, method), measure_.name);
     if (row.n == 0) return "--";
-    const std::string text = number_entry(row, measure_.lead);
+    const std::string text = latex_number(row, measure_.lead);
     any_untrusted_ = any_untrusted_ || text.ends_with("^{!}");
     if (!is_best(cell, method)) return fmt::format("${}$", text);
     any_best_ = true;
@@ -182,7 +140,7 @@ class Table {
     for (std::size_t axis = 0; axis < header_.axes.size(); ++axis) {
       if (axis == column_axis_) continue;
       const Axis& a = header_.axes[axis];
-      heads.push_back(narrow(with_unit(a.name, a.description, a.unit)));
+      heads.push_back(latex_head(with_unit(a.name, a.description, a.unit)));
     }
     if (!column_axis_) {
       for (const std::size_t method : columns) heads.push_back(latex_text(header_.methods[method].label));
@@ -276,49 +234,6 @@ std::string latex_tables(const Summary& summary, const std::vector<std::string>&
   std::ranges::replace_if(
       command, [](unsigned char c) { return c < 0x20; }, ' ');
   return fmt::format("% {}\n% \\usepackage{{booktabs{}}}\n", command, any_long ? ",longtable" : "") + tables;
-}
-
-std::string latex_text(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-      case '%':
-      case '$':
-      case '#':
-      case '_':
-      case '{':
-      case '}':
-        result += '\\';
-        result += c;
-        break;
-      case '~':
-        result += "\\textasciitilde{}";
-        break;
-      case '^':
-        result += "\\textasciicircum{}";
-        break;
-      case '\\':
-        result += "\\textbackslash{}";
-        break;
-      case '<':
-        result += "\\textless{}";
-        break;
-      case '>':
-        result += "\\textgreater{}";
-        break;
-      case '|':
-        result += "\\textbar{}";
-        break;
-      case '[':
-      case '*':  // either would be an argument of the row before
-        result += fmt::format("{{{}}}", c);
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return result;
 }
 
 }  // namespace ridgeloc::results

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "results/summary/summary.hpp"
@@ -26,8 +25,5 @@ struct LatexSource {
 ///
 /// Throws core::InputError for a name that the schema has not, and for one that no method reports.
 std::string latex_tables(const Summary& summary, const std::vector<std::string>& quantities, const LatexSource& source);
-
-/// Text that LaTeX shows as it is, also at the beginning of a row.
-std::string latex_text(std::string_view text);
 
 }  // namespace ridgeloc::results

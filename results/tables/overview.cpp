@@ -92,11 +92,10 @@ std::string notes(const std::string& tables, const DifferenceTable& differences,
         "!: the error itself is not reliable (fewer than 10 values or outcomes of a kind, heavy tails, or values "
         "beyond 1e6)",
         summary_width);
-  if (has(" *"))
-    text += wrapped_text(
-        fmt::format("*: the 95 % interval excludes 0; **: so would that of the largest of all {} differences",
-                    differences.tested),
-        summary_width);
+  if (differences.any_marked)
+    text += wrapped_text(fmt::format("*: the 95 % interval excludes 0; **: so would that of the largest of {}",
+                                     count_text(differences.tested, "difference")),
+                         summary_width);
   if (cells > 1) text += "Cells that share trials are not independent.\n";
   return fmt::format("\n{}", text);
 }

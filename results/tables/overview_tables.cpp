@@ -110,7 +110,7 @@ DifferenceTable difference_table(const Summary& summary, const SummaryChoice& ch
     measure.lead = Measure::Lead::Mean;
     compared.push_back(measure);
   }
-  DifferenceTable differences{table_of_cells(header, choice, "difference"), 0};
+  DifferenceTable differences{table_of_cells(header, choice, "difference"), 0, false};
   std::vector<std::pair<FittedTable::Row, std::vector<SummaryRow>>> rows;
   const std::vector<std::size_t> methods = shown_methods(summary, choice, compared, true);
   for (std::size_t group = 0; group < choice.cells.size(); ++group) {
@@ -128,8 +128,11 @@ DifferenceTable difference_table(const Summary& summary, const SummaryChoice& ch
   for (const Measure& measure : compared)
     differences.table.columns.push_back({measure_title(measure), "", Align::Point});
   for (auto& [row, numbers] : rows) {
-    for (std::size_t i = 0; i < compared.size(); ++i)
-      row.entries.push_back(entry_of(numbers[i], compared[i]) + significance(numbers[i], limit));
+    for (std::size_t i = 0; i < compared.size(); ++i) {
+      const std::string mark = significance(numbers[i], limit);
+      differences.any_marked = differences.any_marked || !mark.empty();
+      row.entries.push_back(entry_of(numbers[i], compared[i]) + mark);
+    }
     differences.table.rows.push_back(std::move(row));
   }
   return differences;

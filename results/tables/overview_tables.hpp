@@ -17,6 +17,7 @@ namespace ridgeloc::results {
 struct DifferenceTable {
   FittedTable table;
   std::size_t tested = 0;
+  bool any_marked = false;
 };
 
 /// A row per cell and method that is no difference, a column per measure.

@@ -44,22 +44,12 @@ void check_condition(const toml::table& table, const Setting& setting, const Stu
                                 setting.read_if.setting, choices));
   }
   if (!depends_on_method(*study.experiment, setting) || setting.complaint == nullptr) return;
-  const auto values = values_of(study, method, setting);
+  const auto values = values_read(study, method, setting);
   if (std::ranges::find(values, Value(std::string())) == values.end()) return;
   const toml::node* const chosen = table.get(setting.read_if.setting);
   const toml::node& place = chosen == nullptr ? table : *chosen;
   fail_at(value == nullptr ? place : *value, fmt::format("{} = \"{}\" needs {}: {}", setting.read_if.setting, choices,
                                                          setting.name, setting.complaint(std::string())));
-}
-
-/// A method without a name is called after its solver, and after a choice of its own that has a text beside it.
-std::string usual_label(const Method& method, const Study& study) {
-  for (const Setting& setting : study.experiment->settings()) {
-    const auto choice = method.given.find(setting.read_if.setting);
-    if (setting.kind == Kind::Text && choice != method.given.end() && is_read(study, method, setting))
-      return fmt::format("{} {}", method.solver, std::get<std::string>(choice->second));
-  }
-  return method.solver;
 }
 
 void read_method(const toml::table& table, Study& study) {
@@ -88,7 +78,7 @@ void read_method(const toml::table& table, Study& study) {
   }
 
   const toml::node* name = table.get("name");
-  method.label = name == nullptr ? usual_label(method, study) : read_text(*name, "name");
+  method.label = name == nullptr ? method.solver : read_text(*name, "name");
   check_label(name == nullptr ? *solver : *name, method.label, study);
   study.methods.push_back(std::move(method));
 }

@@ -52,7 +52,9 @@ toml::array expand_range(const toml::table& range, const Setting& setting) {
   return values;
 }
 
-SweepAxis read_axis(const toml::node& node, const Setting& setting) {
+/// The values of an axis. One that is zipped may have a value several times, beside others of the axes that move with
+/// it.
+SweepAxis read_axis(const toml::node& node, const Setting& setting, bool is_zipped) {
   const std::string label = fmt::format("sweep.{}", setting.name);
   if (setting.kind == Kind::Samples || setting.kind == Kind::Positions || setting.kind == Kind::Building) {
     fail_at(node, fmt::format("{} cannot be swept; make one study of each", setting.name));
@@ -61,7 +63,7 @@ SweepAxis read_axis(const toml::node& node, const Setting& setting) {
   std::set<std::string> seen;
   const auto add = [&](Value value, const toml::node& place) {
     const std::string text = to_toml(value);
-    if (!seen.insert(text).second) fail_at(place, fmt::format("{} lists {} twice", label, text));
+    if (!seen.insert(text).second && !is_zipped) fail_at(place, fmt::format("{} lists {} twice", label, text));
     axis.values.push_back(std::move(value));
   };
   if (const toml::table* range = node.as_table()) {
@@ -95,6 +97,29 @@ const SweepAxis& axis_named(const Study& study, std::string_view name) {
   return *std::ranges::find_if(study.sweep, [&](const SweepAxis& a) { return a.setting->name == name; });
 }
 
+/// Whether a key of [sweep] stands in one of its lists of zipped axes, whatever else is wrong with these.
+bool is_zipped(const toml::table& sweep, std::string_view name) {
+  const toml::array* groups = sweep["zip"].as_array();
+  if (groups == nullptr) return false;
+  return std::ranges::any_of(*groups, [&](const toml::node& group) {
+    const toml::array* names = group.as_array();
+    return names != nullptr &&
+           std::ranges::any_of(*names, [&](const toml::node& n) { return n.value<std::string_view>() == name; });
+  });
+}
+
+/// Refuses a group of zipped axes with the same values at two places: they would be one cell.
+void refuse_repeated_row(const toml::node& group, const std::vector<std::string>& names, const Study& study) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < axis_named(study, names.front()).values.size(); ++i) {
+    std::string row;
+    for (const std::string& name : names)
+      row += fmt::format("{}{} = {}", row.empty() ? "" : ", ", name, to_toml(axis_named(study, name).values[i]));
+    if (!seen.insert(row).second)
+      fail_at(group, fmt::format("sweep.zip: {} stands there twice; zipped values differ in one axis at least", row));
+  }
+}
+
 void read_zip(const toml::node& node, Study& study) {
   const toml::array* groups = node.as_array();
   if (groups == nullptr) fail_at(node, "sweep.zip must be a list of lists of axes, [[\"points\", \"range_sigma_m\"]]");
@@ -111,6 +136,7 @@ void read_zip(const toml::node& node, Study& study) {
                                    names.front(), expected, name, size));
       }
     }
+    refuse_repeated_row(group, names, study);
     study.zip.push_back(std::move(names));
   }
 }
@@ -143,7 +169,8 @@ void read_sweep(const toml::table& document, Study& study) {
   allowed.insert(allowed.end(), {"zip", "exclude"});
   check_keys(table, "[sweep]", allowed);
   for (const Setting& setting : study.experiment->settings()) {
-    if (const toml::node* values = table.get(setting.name)) study.sweep.push_back(read_axis(*values, setting));
+    if (const toml::node* values = table.get(setting.name))
+      study.sweep.push_back(read_axis(*values, setting, is_zipped(table, setting.name)));
   }
   if (study.sweep.empty()) fail_at(table, "[sweep] names no axis; add one, points = [3, 4, 5] say, or remove it");
   if (const toml::node* zip = table.get("zip")) read_zip(*zip, study);

@@ -143,8 +143,12 @@ std::optional<Value> read_value(const toml::node& node, const Setting& s) {
       const bool known = std::ranges::find(s.choices, value) != s.choices.end();
       return known ? std::optional<Value>(value) : std::nullopt;
     }
-    case Kind::Text:
-      return node.is_string() ? std::optional<Value>(*node.value<std::string>()) : std::nullopt;
+    case Kind::Text: {
+      // A formula may be a number, and be written as such.
+      if (s.complaint != nullptr && node.is_number()) return inline_text(node);
+      const auto value = node.value_exact<std::string>();
+      return value ? std::optional<Value>(in_one_line(*value)) : std::nullopt;
+    }
     case Kind::Range: {
       const toml::array* pair = node.as_array();
       if (pair == nullptr || pair->size() != 2) return std::nullopt;
@@ -229,7 +233,6 @@ Value read_setting(const toml::node& node, const Setting& setting, const std::st
     const std::string complaint = setting.complaint(std::get<std::string>(*value));
     if (!complaint.empty()) fail_at(node, fmt::format("{} = {} is not allowed: {}", label, text_of(node), complaint));
   }
-  if (value && setting.kind == Kind::Text) return in_one_line(std::get<std::string>(*value));
   if (value) return *value;
   std::string hint;
   if (setting.kind == Kind::Choice && node.is_string()) {

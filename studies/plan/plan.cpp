@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "core/error.hpp"
@@ -45,6 +46,23 @@ std::vector<std::vector<std::size_t>> axis_groups(const Study& study) {
   return groups;
 }
 
+/// An axis as results have it, each value once, and where the values of a zipped one stand on it, which may repeat.
+struct DistinctValues {
+  std::vector<Value> values;
+  std::vector<std::size_t> places;  ///< per value of the study's axis
+};
+
+DistinctValues distinct_values(const SweepAxis& axis) {
+  DistinctValues distinct;
+  std::map<std::string, std::size_t> seen;
+  for (const Value& value : axis.values) {
+    const auto [place, is_new] = seen.emplace(to_toml(value), distinct.values.size());
+    if (is_new) distinct.values.push_back(value);
+    distinct.places.push_back(place->second);
+  }
+  return distinct;
+}
+
 bool excluded(const Study& study, const Values& values) {
   return std::ranges::any_of(study.exclude, [&](const Values& pattern) {
     return std::ranges::all_of(pattern, [&](const auto& item) { return values.at(item.first) == item.second; });
@@ -54,6 +72,8 @@ bool excluded(const Study& study, const Values& values) {
 std::vector<Cell> make_cells(const Study& study) {
   const auto groups = axis_groups(study);
   std::vector<std::size_t> counter(groups.size(), 0);
+  std::vector<std::vector<std::size_t>> places;
+  for (const SweepAxis& axis : study.sweep) places.push_back(distinct_values(axis).places);
   std::vector<Cell> cells;
   const auto size = [&](std::size_t g) { return study.sweep[groups[g].front()].values.size(); };
   for (bool more = true; more;) {
@@ -63,7 +83,7 @@ std::vector<Cell> make_cells(const Study& study) {
     cell.values = study.fixed;
     for (std::size_t g = 0; g < groups.size(); ++g) {
       for (const std::size_t a : groups[g]) {
-        cell.indices[a] = counter[g];
+        cell.indices[a] = places[a][counter[g]];
         cell.values[study.sweep[a].setting->name] = study.sweep[a].values[counter[g]];
       }
     }
@@ -102,6 +122,25 @@ std::string method_content(const Study& study, const Method& method) {
   return content;
 }
 
+/// Settings for all methods that have a value of their own and that nothing reads.
+std::vector<std::string> remarks_on_unread(const Study& study) {
+  std::vector<std::string> remarks;
+  for (const Setting& setting : study.experiment->settings()) {
+    const auto value = study.fixed.find(setting.name);
+    if (setting.read_if.setting.empty() || value == study.fixed.end() || value->second == setting.standard) continue;
+    const auto reads = [&](const Method& method) {
+      const auto settings = settings_read_for(*study.experiment, method.solver);
+      return std::ranges::find(settings, setting.name) != settings.end() && !method.given.contains(setting.name) &&
+             is_read(study, method, setting);
+    };
+    const bool is_used = setting.per_method ? std::ranges::any_of(study.methods, reads) : is_read(study, setting);
+    if (is_used) continue;
+    remarks.push_back(fmt::format("{}.{} changes nothing: it is read only if {} is {}", setting.section, setting.name,
+                                  setting.read_if.setting, fmt::join(setting.read_if.choices, " or ")));
+  }
+  return remarks;
+}
+
 results::Header make_header(const Study& study, const std::vector<Cell>& cells, core::Isa isa) {
   results::Header header;
   header.isa = core::name_of(isa);
@@ -120,7 +159,7 @@ results::Header make_header(const Study& study, const std::vector<Cell>& cells, 
   header.schema = study.experiment->schema();
   for (const SweepAxis& axis : study.sweep) {
     results::Axis out{axis.setting->name, axis.setting->unit, axis.setting->description, {}};
-    for (const Value& value : axis.values) out.values.push_back(factor_value(value));
+    for (const Value& value : distinct_values(axis).values) out.values.push_back(factor_value(value));
     header.axes.push_back(std::move(out));
   }
   for (const Cell& cell : cells)
@@ -175,6 +214,7 @@ Plan make_plan(const Study& study, core::Isa isa) {
         fmt::format("{}: sweep.exclude leaves no cell at all; remove one of its tables", study.name));
   }
   for (std::size_t i = 0; i < plan.cells.size(); ++i) plan.cells[i].index = i;
+  plan.remarks = remarks_on_unread(study);
   for (const Cell& cell : plan.cells) {
     try {
       study.experiment->check(cell.values);

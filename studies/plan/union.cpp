@@ -70,15 +70,7 @@ void add_rows(Study& study, const std::vector<std::string>& zip, const Study& ot
     const auto row = row_of(others, i);
     bool known = false;
     for (std::size_t k = 0; k < axes.front()->values.size() && !known; ++k) known = row_of(axes, k) == row;
-    for (std::size_t a = 0; a < axes.size() && !known; ++a) {
-      if (std::ranges::find(axes[a]->values, row[a]) != axes[a]->values.end()) {
-        throw core::InputError(
-            fmt::format("{}: {} = {} stands beside other values of the axes it is zipped with than in "
-                        "{}; compute one of them apart",
-                        study.name, zip[a], to_toml(row[a]), other.name));
-      }
-      axes[a]->values.push_back(row[a]);
-    }
+    for (std::size_t a = 0; a < axes.size() && !known; ++a) axes[a]->values.push_back(row[a]);
   }
 }
 

@@ -20,4 +20,7 @@ const Setting& setting_named(const Experiment& experiment, std::string_view name
 /// The values that a setting has for a method, one of each cell that has another: its own, or the study's.
 std::vector<Value> values_of(const Study& study, const Method& method, const Setting& setting);
 
+/// The values that a setting has for a method, of those cells alone that read it as far as zipped axes tell.
+std::vector<Value> values_read(const Study& study, const Method& method, const Setting& setting);
+
 }  // namespace ridgeloc::studies

@@ -47,7 +47,10 @@ TEST_CASE("a narrower study adds to a result what it lacks and loses nothing of 
   const std::string lm = "--set sweep.points=[4,5] --set method.1.solver=lm";
   const Outcome other = folder.ridgeloc("run s.toml " + lm);
   CHECK(other.exit_code == 0);
-  CHECK(contains(other.error, "has 1 cell and 1 method besides those asked for; they stay"));
+  CHECK(contains(other.error, "has 1 cell and 1 method besides what was asked for; they stay"));
+  REQUIRE(folder.ridgeloc("run s.toml -o alone.h5").exit_code == 0);
+  CHECK(contains(folder.ridgeloc("run s.toml -o alone.h5 --set sweep.points=[3]").error,
+                 "alone.h5: has 1 cell besides what was asked for; it stays"));
   const Outcome verified = folder.ridgeloc("verify s.h5 --blocks 100");
   CHECK(verified.exit_code == 0);
   CHECK(contains(verified.out, "incomplete: 2 of 3 cells"));  // lm with 3 points, ols with 4

@@ -97,6 +97,39 @@ ridgeloc run s.toml --trials 1e10 --set store.trial_columns_mib=0 -o disk/s.h5; 
   CHECK(contains(outcome.error, "disk/s.h5: takes about 149 MiB, 0 KiB of it values"));
 }
 
+TEST_CASE("with a stop rule the most trials need room, but not those of cells that are known well enough") {
+  REQUIRE_OWN_DISKS();
+  const WithStudy folder(study + R"([stop]
+metric = "iterations"
+methods = ["ols"]
+relative = 0.01
+min_trials = 4096
+max_trials = 1000000
+)");
+  // All trials of both cells would be 250 MB, those that the rule asks for are 2.
+  const Outcome outcome = on_own_disk(folder, "60m", R"(
+ridgeloc run s.toml -o disk/s.h5; echo $?
+ridgeloc run s.toml --set store.trial_columns_mib=1 -o disk/s.h5 2> narrow; echo $?
+ridgeloc run s.toml --set store.trial_columns_mib=1 --set stop.relative=0.009 -o disk/s.h5 2> again; echo $?
+ridgeloc run s.toml --set stop.max_cost=1e5 -o disk/cost.h5 2> cost; echo $?
+)");
+  INFO(outcome.out << outcome.error << folder.read("narrow") << folder.read("again") << folder.read("cost"));
+  CHECK(outcome.out == "2\ndisk/s.h5\n0\ndisk/s.h5\n0\ndisk/cost.h5\n0\n");
+  CHECK(contains(outcome.error, "disk/s.h5: takes about 2"));
+}
+
+TEST_CASE("a plan writes a bounded amount to find out what writing costs") {
+  REQUIRE_OWN_DISKS();
+  const WithStudy folder(study);
+  const Outcome outcome = on_own_disk(folder, "90m", R"(
+TMPDIR=disk ridgeloc plan s.toml --trials 1e7 --set store.trial_columns_mib=4000
+)");
+  INFO(outcome.out << outcome.error);
+  CHECK(outcome.exit_code == 0);
+  CHECK(contains(outcome.out, "  disk     about "));
+  CHECK_FALSE(contains(outcome.out, "not reckoned"));
+}
+
 TEST_CASE("a disk that is too full for the result is one line and exit code 3, and the same command goes on") {
   REQUIRE_OWN_DISKS();
   const WithStudy folder(study);
@@ -114,7 +147,9 @@ ridgeloc verify --digest whole.h5
   INFO(outcome.out << outcome.error << folder.read("again"));
   CHECK(line_count(outcome.error) == 2);
   CHECK(contains(outcome.error, "warning: disk/s.h5: takes about 1"));
-  CHECK(std::regex_search(outcome.error, std::regex("are free; until its parts are sealed it takes 1.* MiB more\n")));
+  CHECK(std::regex_search(
+      outcome.error,
+      std::regex(" 1.* MiB in parts before that, and [0-9.]+ MiB are free; both are there for a while ")));
   CHECK(contains(outcome.error,
                  ": No space left on device (finished parts are kept in disk/s.h5.parts; the same command "
                  "goes on from there)"));

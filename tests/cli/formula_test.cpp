@@ -22,6 +22,7 @@ solver = "rr"
 k = "hkb"
 [[method]]
 solver = "rr"
+name = "spelled"
 k = "expr"
 k_expr = "p * sigma2 / sum(alpha ^ 2)"
 [[figure]]
@@ -62,14 +63,14 @@ TEST_CASE("a formula is run, continued, merged, verified, replayed, audited and 
   ok("run s.toml --isa baseline --shard 2/2 -o two.h5");
   ok("merge one.h5 two.h5 -o both.h5");
   CHECK(ok("verify both.h5 --digest") == ok("verify whole.h5 --digest"));
-  CHECK(contains(ok("replay whole.h5 --cell points=4 --trial 7"), "rr expr, iterations"));
-  CHECK(contains(ok("audit whole.h5"), "rr expr"));
+  CHECK(contains(ok("replay whole.h5 --cell points=4 --trial 7"), "spelled, iterations"));
+  CHECK(contains(ok("audit whole.h5"), "spelled"));
   CHECK(contains(ok("export whole.h5 --study"), "k_expr = \"p * sigma2 / sum(alpha ^ 2)\""));
-  CHECK(contains(ok("summary whole.h5"), "rr expr"));
+  CHECK(contains(ok("summary whole.h5"), "spelled"));
   ok("plot whole.h5 -o error.svg");
-  CHECK(contains(folder.read("error.svg"), "rr expr"));
+  CHECK(contains(folder.read("error.svg"), "spelled"));
   ok("report whole.h5 -o whole.html");
-  CHECK(contains(folder.read("whole.html"), "rr expr"));
+  CHECK(contains(folder.read("whole.html"), "spelled"));
 
   // The same numbers as the estimator that it spells, trial by trial, to rounding.
   const std::string trials = ok("export whole.h5 --trials");
@@ -77,7 +78,7 @@ TEST_CASE("a formula is run, continued, merged, verified, replayed, audited and 
   const auto before = header.substr(0, header.find("error_all_m"));
   const auto at = static_cast<std::size_t>(std::count(before.begin(), before.end(), ','));
   const auto built_in = column(trials, "rr", at);
-  const auto formula = column(trials, "rr expr", at);
+  const auto formula = column(trials, "spelled", at);
   REQUIRE(built_in.size() == 6000);
   REQUIRE(formula.size() == 6000);
   std::size_t different = 0;
@@ -90,12 +91,12 @@ TEST_CASE("a formula is run, continued, merged, verified, replayed, audited and 
 TEST_CASE("a formula locates photos in a building") {
   const WithStudy folder(
       "experiment = \"building\"\ntrials = 30\n[[method]]\nsolver = \"rrr\"\n"
-      "[[method]]\nsolver = \"rrr\"\nk = \"expr\"\nk_expr = \"geomean(sigma2 / alpha^2)\"\n");
+      "[[method]]\nsolver = \"rrr\"\nname = \"spelled\"\nk = \"expr\"\nk_expr = \"geomean(sigma2 / alpha^2)\"\n");
   const Outcome run = folder.ridgeloc("run s.toml -o s.h5");
   INFO(run.error);
   REQUIRE(run.exit_code == 0);
   CHECK(folder.ridgeloc("verify s.h5").exit_code == 0);
-  CHECK(contains(folder.ridgeloc("replay s.h5 --trial 3").out, "rrr expr"));
+  CHECK(contains(folder.ridgeloc("replay s.h5 --trial 3").out, "spelled"));
 }
 
 TEST_CASE("a formula that is wrong ends a run with its column and exit code 2") {

@@ -46,6 +46,37 @@ TEST_CASE("a plan says of how many trials values are kept, and run does where it
   CHECK_FALSE(contains(folder.ridgeloc("run s.toml --trials 1000 -o all.h5").error, "keeps"));
 }
 
+TEST_CASE("a size that is too small for a single trial of each cell is said by plan and run") {
+  const WorkingFolder folder;
+  folder.write("s.toml", study);
+  const std::string tiny = " --trials 10 --set store.trial_columns_mib=1e-5";
+  const std::string said = "no values of single trials: one of each cell takes ";
+  CHECK(contains(folder.ridgeloc("plan s.toml" + tiny).out, "  kept     " + said));
+  CHECK(contains(folder.ridgeloc("run s.toml" + tiny).error, "s: keeps " + said));
+  const std::string none = " --trials 20 --set store.trial_columns_mib=0 -o none.h5";
+  CHECK_FALSE(contains(folder.ridgeloc("run s.toml" + none).error, "keeps"));
+}
+
+TEST_CASE("a plan says which axes are zipped and how many cells are excluded") {
+  const WorkingFolder folder;
+  folder.write("s.toml", R"(experiment = "ranging"
+[sweep]
+points = [3, 5, 5]
+range_sigma_m = [0.1, 0.1, 0.3]
+start_offset_m = [1, 5]
+zip = [["points", "range_sigma_m"]]
+exclude = [{ points = 3, start_offset_m = 5 }]
+[[method]]
+solver = "ols"
+)");
+  const std::string plan = folder.ridgeloc("plan s.toml").out;
+  INFO(plan);
+  CHECK(contains(plan, "  axis     points (3 values), zipped with range_sigma_m\n"));
+  CHECK(contains(plan, "  axis     range_sigma_m (3 values), zipped with points\n"));
+  CHECK(contains(plan, "  axis     start_offset_m (2 values)\n"));
+  CHECK(contains(plan, "  cells    5, 1 excluded\n"));
+}
+
 TEST_CASE("a result is about as large as its plan says") {
   const WorkingFolder folder;
   folder.write("s.toml", study);

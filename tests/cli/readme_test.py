@@ -22,7 +22,7 @@ PYTHON = "## Reading a result from Python"
 # What depends on the machine.
 MASKS = [
     (r"\d+(?:\.\d+)? (?:ns|us|ms|s|min|h|days|years)\b", "TIME"),
-    (r"\d+(?:\.\d+)? [KMG]iB(?=, and as much again)", "SIZE"),
+    (r"\d+(?:\.\d+)? [KMG]iB(?=, and | in parts)", "SIZE"),
     (r"\bon \d+ threads?(?:, \d+ of them at work)?", "on THREADS"),
     (r"\bwith (?:baseline|avx2|avx512)\b", "with INSTRUCTIONS"),
     (r"(per trial and thread, .*) \(\d+ trials\)", r"\1 (TRIALS)"),

@@ -3,10 +3,12 @@
 import ctypes
 import os
 import pathlib
+import re
 
 import h5py
 
 CHECKSUM_DIGITS = 16
+CHECKSUM_BEFORE = re.compile(rb"[0-9a-f]{64}\Z")  # a SHA-256, of parts up to format 3
 XXH3 = ctypes.CDLL("libxxhash.so.0").XXH3_64bits  # which the program itself needs
 XXH3.argtypes, XXH3.restype = [ctypes.c_char_p, ctypes.c_size_t], ctypes.c_uint64
 
@@ -51,9 +53,11 @@ class Files:
 
 
 def read_blocks(path, is_part):
-    """What one file holds; nothing if it is a damaged part."""
+    """What one file holds; nothing if it is a damaged part. A part of an earlier format is none that a run can have."""
     if is_part:
         content = path.read_bytes()
+        if CHECKSUM_BEFORE.search(content):
+            raise ValueError(f"{path} is a part of format 3 or older, which this program does not write")
         if f"{XXH3(content, len(content) - CHECKSUM_DIGITS):016x}".encode() != content[-CHECKSUM_DIGITS:]:
             return {}
     blocks = {}

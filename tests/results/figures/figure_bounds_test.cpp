@@ -115,6 +115,40 @@ TEST_CASE("a bound that several groups share is drawn once, in grey") {
                                  "bound of unbiased estimates, median and quartiles (range_sigma_m = 0.5)"});
 }
 
+TEST_CASE(
+    "groups that differ in what a bound does not depend on share it, and the legend says what they have in common") {
+  // Each cell twice, with two formulas of K: the bound is that of the scene.
+  const Summary bounded = bounded_summary();
+  Summary summary{bounded.header, {}};
+  Header& header = summary.header;
+  header.axes.push_back({"k_expr", "1", "", {std::string("n"), std::string("p")}});
+  header.cells.clear();
+  for (std::size_t cell = 0; cell < bounded.header.cells.size(); ++cell) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      header.cells.push_back(bounded.header.cells[cell]);
+      header.cells.back().indices.push_back(k);
+      for (std::size_t method = 0; method < 3; ++method) summary.statistics.push_back(bounded.of(cell, method));
+    }
+  }
+  FigureSpec spec = error_figure();
+  spec.group = {"k_expr"};
+  spec.where = {{"range_sigma_m", {"0.5"}}};
+  const FigureData one = figure_data(summary, spec);
+  for (const FigurePanel& panel : one.panels) {
+    REQUIRE(panel.bounds.size() == 1);
+    CHECK_FALSE(panel.bounds[0].group);
+  }
+  CHECK(one.bounds == std::vector<std::string>{"bound of unbiased estimates, median and quartiles"});
+
+  spec.group = {"range_sigma_m", "k_expr"};
+  spec.where.clear();
+  const FigureData two = figure_data(summary, spec);
+  CHECK(two.panels.at(0).bounds.size() == 2);
+  CHECK(two.bounds ==
+        std::vector<std::string>{"bound of unbiased estimates, median and quartiles (range_sigma_m = 0.1)",
+                                 "bound of unbiased estimates, median and quartiles (range_sigma_m = 0.5)"});
+}
+
 TEST_CASE("no bound is drawn where there is none, where it is drawn already, and where it is not wanted") {
   const auto bounds = [](const Summary& summary, const FigureSpec& spec) {
     return figure_data(summary, spec).bounds.size();
@@ -149,6 +183,9 @@ TEST_CASE("more than three bands in a panel become lines") {
     header.cells.push_back(header.cells[cell]);
     header.cells.back().indices[1] += 2;
     for (std::size_t method = 0; method < 3; ++method) summary.statistics.push_back(two.of(cell, method));
+    // Equal bounds would be one.
+    const double level = 1.0 + static_cast<double>(cell);
+    summary.statistics.back().metrics[2] = statistics_of(std::vector{level, 2.0 * level, 3.0 * level});
   }
   const FigureData data = figure_data(summary, error_figure());
   CHECK(data.bounds == std::vector<std::string>{"bound of unbiased estimates, median"});

@@ -168,11 +168,73 @@ TEST_CASE("a figure has the size and the limits that are asked for") {
         "--ylim -1:7: the axis is logarithmic; both ends have to be above 0");
 }
 
+TEST_CASE("categories whose texts have no room beside each other are numbered, with a key below the axis") {
+  FigureData data = two_lines({0.0, 1.0, 2.0});
+  data.is_categorical = true;
+  CHECK(figure_layout(data).key.empty());
+  CHECK(figure_layout(data).ticks.at(2).label == "label");
+  const std::string formula = "max(eigenvalues) * sigma2 / max(alpha^2)";
+  data.x_ticks[1].label = formula;
+  data.x_ticks[2].label = std::string(100, 'x');
+  const FigureLayout layout = figure_layout(data);
+  CHECK(layout.ticks.at(0).label == "(1)");
+  CHECK(layout.ticks.at(2).label == "(3)");
+  REQUIRE(layout.key.size() == 4);
+  CHECK(layout.key[0] == "(1) label");
+  CHECK(layout.key[1] == "(2) " + formula);
+  CHECK(layout.x_label_y < layout.key_y);
+  CHECK(layout.key_y + 4 * PageStyle::footnote_line_height < layout.footnote_y + 0.01);
+  CHECK(layout.x.low == -0.5);
+  CHECK(layout.x.high == 2.5);
+}
+
+TEST_CASE("a legend text that is longer than the page is wide takes several lines") {
+  FigureData data = two_lines({1.0, 2.0});
+  data.bounds = {"bound of unbiased estimates, median and quartiles (points = 3, range_sigma_m = 0.1)"};
+  data.groups[1] = std::string(60, 'x');
+  const FigureLayout layout = figure_layout(data);
+  REQUIRE(layout.legend.size() == 3);
+  CHECK(layout.legend[0].lines.size() == 1);
+  CHECK(layout.legend[1].lines.size() == 2);
+  CHECK(layout.legend[2].lines.size() == 2);
+  CHECK(layout.legend[2].y == Approx(layout.legend[1].y + 2 * PageStyle::line_height));
+  const double end = PageStyle::edge + PageStyle::sample_length + PageStyle::sample_gap;
+  for (const LegendEntry& entry : layout.legend)
+    for (const std::string& line : entry.lines)
+      CHECK(end + small_character * static_cast<double>(line.size()) < layout.page.width);
+}
+
+TEST_CASE("a long label of the horizontal axis stands in lines above its key and the footnote") {
+  FigureData data = two_lines({1.0, 2.0});
+  data.x_label = "number of points";
+  const FigureLayout one = figure_layout(data);
+  CHECK(one.x_label.size() == 1);
+  data.x_label = "number of points (standard deviation of the range errors [m])";
+  const FigureLayout two = figure_layout(data);
+  CHECK(two.x_label.size() == 2);
+  CHECK(two.footnote_y == Approx(one.footnote_y + PageStyle::line_height));
+  CHECK(two.page.height == Approx(one.page.height + PageStyle::line_height));
+}
+
+TEST_CASE("a bound is a line along numbers, and a stroke at each category") {
+  FigureData data = two_lines({0.0, 1.0});
+  const FigureBound bound{0, {}, false, {{0.0, 2.0, 2.0, 2.0}, {1.0, 2.2, 2.2, 2.2}}};
+  CHECK(drawn_bound(data, figure_layout(data), bound, false).size() == 1);
+  data.is_categorical = true;
+  const auto strokes = drawn_bound(data, figure_layout(data), bound, false);
+  REQUIRE(strokes.size() == 2);
+  CHECK(strokes[1].front().x == Approx(1.0 - 0.35));
+  CHECK(strokes[1].back().x == Approx(1.0 + 0.35));
+}
+
 TEST_CASE("text is broken at spaces") {
   CHECK(wrapped("one two three", 7) == std::vector<std::string>{"one two", "three"});
   CHECK(wrapped("unbreakable", 3) == std::vector<std::string>{"unbreakable"});
   CHECK(wrapped("  a  b ", 10) == std::vector<std::string>{"a b"});
   CHECK(wrapped("", 10).empty());
+  CHECK(broken("sigma2/trace + n", 7) == std::vector<std::string>{"sigma2/", "trace +", "n"});
+  CHECK(broken("größen", 3) == std::vector<std::string>{"grö", "ßen"});
+  CHECK(broken("(1) sigma2+trace", 8) == std::vector<std::string>{"(1) sigm", "a2+trace"});
 }
 
 }  // namespace

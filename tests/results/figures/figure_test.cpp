@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "results/figures/figure_data.hpp"
+#include "results/figures/figure_script.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/message_of.hpp"
 #include "tests/support/numbers.hpp"
@@ -201,8 +202,76 @@ TEST_CASE("an axis of texts is drawn as categories, one that spans decades logar
   CHECK(categories.x_ticks[1].position == 1.0);
   CHECK(categories.x_ticks[1].label == "hall");
   CHECK_FALSE(categories.log_x);
+  CHECK(categories.is_categorical);
+  CHECK_FALSE(figure_data(synthetic_summary(), synthetic_spec()).is_categorical);
   summary.header.axes[0].values = {0.01, 0.1, 1.0};
   CHECK(figure_data(summary, synthetic_spec()).log_x);
+}
+
+TEST_CASE("points of a category stand beside each other and no line joins them") {
+  Summary summary = synthetic_summary();
+  const auto script_of = [&] {
+    return figure_script(figure_data(summary, synthetic_spec()), FigureFormat::Svg, "figure.svg");
+  };
+  CHECK(script_of().find("$panel0_group0_metric0 using 1:2 with lines") != std::string::npos);
+  summary.header.axes[0].values = {std::string("street"), std::string("hall")};
+  CHECK(script_of().find(" using 1:2 with lines") == std::string::npos);
+  const FigureData data = figure_data(summary, synthetic_spec());
+  const auto& lines = data.panels.at(0).lines;
+  REQUIRE(lines.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto category = static_cast<double>(i);
+    CHECK(lines[0].points[i].x < category);
+    CHECK(category < lines[1].points[i].x);
+    CHECK(lines[1].points[i].x - lines[0].points[i].x == Approx(0.3));
+  }
+}
+
+/// The synthetic summary with an axis that moves along with another one.
+Summary zipped_summary(std::size_t with) {
+  Summary summary = synthetic_summary();
+  Header& header = summary.header;
+  header.axes.push_back({"start_offset_m", "m", "distance of the start", {1.0, 5.0}});
+  for (CellInfo& cell : header.cells) cell.indices.push_back(cell.indices[with]);
+  return summary;
+}
+
+TEST_CASE("an axis that moves along with one of the figure stands beside it") {
+  const FigureData with_x = figure_data(zipped_summary(0), synthetic_spec());
+  CHECK(with_x.x_label == "number of points (distance of the start [m])");
+  CHECK(with_x.x_ticks.at(1).label == "5 (5)");
+  CHECK(with_x.groups == std::vector<std::string>{"0.1", "0.5"});
+  CHECK(with_x.conditions.empty());
+
+  const FigureData with_group = figure_data(zipped_summary(1), synthetic_spec());
+  CHECK(with_group.x_ticks.at(1).label == "5");
+  CHECK(with_group.group_title == "range noise [m] (distance of the start [m])");
+  CHECK(with_group.groups == std::vector<std::string>{"0.1 (1)", "0.5 (5)"});
+  FigureSpec spec = synthetic_spec();
+  spec.facet.clear();
+  CHECK(figure_data(zipped_summary(1), spec).groups.at(0) == "range_sigma_m = 0.1, start_offset_m = 1, rr");
+
+  Summary empty = zipped_summary(1);
+  empty.header.axes[1].values = {std::string(), std::string("sigma2 / p")};
+  CHECK(figure_data(empty, synthetic_spec()).groups == std::vector<std::string>{"1", "sigma2 / p (5)"});
+  Summary alone = synthetic_summary();
+  alone.header.axes[1].values = empty.header.axes[1].values;
+  CHECK(figure_data(alone, synthetic_spec()).groups.front() == "none");
+
+  Summary by_both = zipped_summary(0);
+  for (CellInfo& cell : by_both.header.cells) cell.indices[2] = (cell.indices[0] + cell.indices[1]) % 2;
+  CHECK(figure_data(by_both, synthetic_spec()).conditions == "start_offset_m differs from cell to cell");
+}
+
+TEST_CASE("a legend keeps the order of the axis where the first cell is left out") {
+  Summary summary = synthetic_summary();
+  summary.header.cells.erase(summary.header.cells.begin());
+  summary.statistics.erase(summary.statistics.begin(), summary.statistics.begin() + 2);
+  const FigureData data = figure_data(summary, synthetic_spec());
+  CHECK(data.groups == std::vector<std::string>{"0.1", "0.5"});
+  const auto& lines = data.panels.at(0).lines;
+  CHECK(lines.size() == 2);
+  for (const FigureLine& line : lines) CHECK(line.points.size() == (line.group == 0 ? 1 : 2));
 }
 
 TEST_CASE("unknown names are refused with the nearest valid ones") {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "results/tables/latex_text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/synthetic_summary.hpp"
 

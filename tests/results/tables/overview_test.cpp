@@ -45,6 +45,20 @@ TEST_CASE("the overview leads with what the figures show, a heavy-tailed metric 
   CHECK(contains(text, "max_iterations 4"));
 }
 
+TEST_CASE("the marks of differences are told where there are any, whatever stands in names") {
+  Summary summary = failing_summary();
+  summary.header.methods[0].label = "sigma2 * n";
+  CHECK_FALSE(contains(summary_overview(summary, whole(summary.header)), "excludes 0"));
+}
+
+TEST_CASE("a result whose parts are all there is not called one that lacks trials") {
+  Summary summary = failing_summary();
+  summary.is_sealed = false;
+  const std::string text = summary_overview(summary, whole(summary.header));
+  CHECK(contains(text, "incomplete: all trials are there, and the result has not been written from its parts"));
+  CHECK_FALSE(contains(text, "0 of 4 cells"));
+}
+
 TEST_CASE("metrics, cells and methods of the overview can be chosen") {
   const Summary summary = failing_summary();
   SummaryChoice choice = whole(summary.header);

@@ -32,7 +32,7 @@ std::string content_of(const Study& study, std::size_t index = 0) {
 
 TEST_CASE("a method may have a formula of K, which is part of what it is") {
   const Study study = read(method(formula));
-  CHECK(study.methods[0].label == "rr expr");
+  CHECK(study.methods[0].label == "rr");
   CHECK(content_of(study).find("k = \"expr\", k_fixed = 0.0, k_expr = \"sigma2 * trace / n\"") != std::string::npos);
   const Study other = read(method("k = \"expr\"\nk_expr = \"sigma2 * trace / p\"\n"));
   CHECK(method_hash(study, study.methods[0]) != method_hash(other, other.methods[0]));
@@ -69,6 +69,43 @@ TEST_CASE("a name of its own, [solver], --set and the sweep give a formula too")
   CHECK(make_plan(both).cells.size() == 2);
 }
 
+TEST_CASE("a number is a formula, in a study and on a command line") {
+  const Study text = read(method("k = \"expr\"\nk_expr = \"5\"\n"));
+  CHECK(content_of(read(method("k = \"expr\"\nk_expr = 5\n"))) == content_of(text));
+  CHECK(content_of(read(method(formula), {"method.0.k_expr=5"})) == content_of(text));
+  CHECK(content_of(read(method(formula), {"method.0.k_expr=0.25"})).find("k_expr = \"0.25\"") != std::string::npos);
+}
+
+TEST_CASE("a method is called after its solver wherever its K is chosen") {
+  CHECK(read(method(formula)).methods[0].label == read(method("[solver]\n" + formula)).methods[0].label);
+}
+
+TEST_CASE("a formula for all methods that none reads is said") {
+  const auto remarks_of = [](const std::string& text) { return make_plan(read(text)).remarks; };
+  const std::vector<std::string> unread = {"solver.k_expr changes nothing: it is read only if k is expr"};
+  CHECK(remarks_of(method("[solver]\nk_expr = \"n\"\n")) == unread);
+  CHECK(remarks_of(method(formula + "[solver]\nk_expr = \"n\"\n")) == unread);
+  CHECK(remarks_of(method("[solver]\n" + formula)).empty());
+  CHECK(remarks_of(method("[solver]\nk_expr = \"\"\n")).empty());
+  CHECK(remarks_of(method("k = \"expr\"\n[solver]\nk_expr = \"n\"\n")).empty());
+}
+
+TEST_CASE("estimators and formulas move together, built-in ones with an empty formula") {
+  const std::string zipped =
+      "[sweep]\nk = [\"kibria_gm\", \"hkb\", \"expr\", \"expr\"]\n"
+      "k_expr = [\"\", \"\", \"sigma2 / p\", \"sigma2 / n\"]\nzip = [[\"k\", \"k_expr\"]]\n";
+  const Study study = read(method(zipped));
+  const Plan plan = make_plan(study);
+  REQUIRE(plan.cells.size() == 4);
+  CHECK(plan.header.axes[0].values.size() == 3);
+  CHECK(plan.header.axes[1].values.size() == 3);
+  CHECK(plan.header.cells[3].indices == std::vector<std::size_t>{2, 2});
+  CHECK(resolved_toml(read(resolved_toml(study))) == resolved_toml(study));
+  std::string swapped = zipped;
+  swapped.replace(swapped.find("kibria_gm"), 9, "expr");
+  CHECK(error_of(method(swapped)).find("k = \"expr\" needs k_expr: a formula is missing") != std::string::npos);
+}
+
 TEST_CASE("methods without a formula are what they were before there were formulas") {
   const std::string before =
       "solver = rr, max_iterations = 30, step_tolerance_m = 0.05, start = \"given\", score_power = \"printed\", "
@@ -89,7 +126,7 @@ TEST_CASE("studies with other formulas unite") {
   const Study here = read(method(formula));
   const Study there = read(
       "experiment = \"ranging\"\n[solver]\nk = \"expr\"\nk_expr = \"n\"\n[[method]]\nsolver = "
-      "\"rrr\"\n[[method]]\nsolver = \"rr\"\nk = \"hkb\"\n");
+      "\"rrr\"\n[[method]]\nsolver = \"rr\"\nk = \"hkb\"\nname = \"by hkb\"\n");
   for (const Study& all : {united(here, there), united(there, here)}) {
     const Study again = read(resolved_toml(all));
     REQUIRE(again.methods.size() == 3);
@@ -99,7 +136,7 @@ TEST_CASE("studies with other formulas unite") {
     for (const Method& m : there.methods) CHECK(std::ranges::count(hashes, method_hash(there, m)) == 1);
   }
   const Study changed = read(method("k = \"expr\"\nk_expr = \"n\"\n"));
-  CHECK(tests::refusal_of([&] { united(here, changed); }).find("its method \"rr expr\" has other settings") !=
+  CHECK(tests::refusal_of([&] { united(here, changed); }).find("its method \"rr\" has other settings") !=
         std::string::npos);
 }
 
@@ -116,10 +153,12 @@ TEST_CASE("what is wrong with a formula in a study is said with its place") {
        "demo.toml:5: k_expr = 'sigma2 * trac / n' is not allowed: column 10: there is no \"trac\" (did you mean "
        "\"trace\"?)"},
       {method("k = \"expr\"\nk_expr = \"\"\"\nsigma2 *\n  qqqqqqqqqq\"\"\"\n"),
-       "line 2, column 3: there is no \"qqqqqqqqqq\" (allowed: sigma2, n, p, iteration, trace, squares, alpha, "},
+       "demo.toml:5: k_expr = '''sigma2 * qqqqqqqqqq''' is not allowed: column 10: there is no \"qqqqqqqqqq\" "
+       "(allowed: "
+       "sigma2, n, p, iteration, trace, squares, alpha, "},
       {method("k = \"expr\"\nk_expr = \"sigma2 / (n - p\"\n"),
        "demo.toml:5: k_expr = 'sigma2 / (n - p' is not allowed: column 10: this \"(\" is not closed"},
-      {method("k = \"expr\"\nk_expr = 3\n"), "demo.toml:5: k_expr = 3 is not allowed: k_expr takes a text"},
+      {method("k = \"expr\"\nk_expr = true\n"), "demo.toml:5: k_expr = true is not allowed: k_expr takes a text"},
       {method("k = \"expr\"\n"),
        "demo.toml:4: k = \"expr\" needs k_expr: a formula is missing, for example \"p * sigma2"},
       {method("k = \"expr\"\nk_expr = \"\"\n"), "demo.toml:5: k = \"expr\" needs k_expr: a formula is missing"},
@@ -132,7 +171,7 @@ TEST_CASE("what is wrong with a formula in a study is said with its place") {
       {method("[sweep]\nk_expr = [\"n\", \"p\"]\n"),
        "demo.toml:4: sweep.k_expr changes nothing: no [[method]] reads it: it is read only if k is expr"},
       {method(formula + "[[method]]\nsolver = \"rr\"\n" + formula),
-       "two methods are called \"rr expr\"; tell them apart with name = \"...\""},
+       "two methods are called \"rr\"; tell them apart with name = \"...\""},
       {"experiment = \"ranging\"\n[[method]]\nsolver = \"ols\"\nk_expr = \"n\"\n",
        "demo.toml:4: unknown key \"k_expr\" in [[method]] with solver \"ols\""},
   }));

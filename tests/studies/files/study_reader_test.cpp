@@ -155,6 +155,9 @@ TEST_CASE("each bad study gets one line with file, line, bound and nearest name"
        "sweep.exclude.points is not among the values"},
       {with("points = [3, 5]", "points = [3, 4]\nrange_sigma_m = [0.1]\nzip = [[\"points\", \"range_sigma_m\"]]"),
        "demo.toml:8: sweep.zip: points has 2 values and range_sigma_m has 1"},
+      {with("points = [3, 5]",
+            "points = [3, 4, 3]\nrange_sigma_m = [0.1, 0.1, 0.1]\nzip = [[\"points\", \"range_sigma_m\"]]"),
+       "demo.toml:8: sweep.zip: points = 3, range_sigma_m = 0.1 stands there twice; zipped values differ in one axis"},
       {with("points = [3, 5]", "points = [3, 4]\nzip = [[\"points\"]]"), "demo.toml:7: sweep.zip needs two axes"},
   }));
   const std::string error = error_of(text);

@@ -45,6 +45,17 @@ TEST_CASE("zipped axes move together and excluded cells are left out") {
   CHECK(p.cells[4].index == 4);
 }
 
+TEST_CASE("zipped axes may repeat values, which stand once on the axis of the result") {
+  const Plan p =
+      plan("points = [3, 3, 7, 7]\nrange_sigma_m = [0.1, 0.2, 0.2, 0.3]\nzip = [[\"points\", \"range_sigma_m\"]]");
+  REQUIRE(p.cells.size() == 4);
+  CHECK(p.header.axes[0].values.size() == 2);
+  CHECK(p.header.axes[1].values.size() == 3);
+  CHECK(p.header.cells[2].indices == std::vector<std::size_t>{1, 1});
+  CHECK(std::get<double>(p.cells[2].values.at("range_sigma_m")) == 0.2);
+  CHECK(std::get<std::int64_t>(p.header.axes[0].values[1]) == 7);
+}
+
 TEST_CASE("blocks cover the trials of a cell, the last one in part") {
   const Assignment all = everything(plan("points = [3]"));
   CHECK(all.blocks_per_cell() == 3);

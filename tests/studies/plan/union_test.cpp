@@ -80,8 +80,11 @@ TEST_CASE("zipped axes gain whole rows, and must be zipped alike") {
   CHECK(make_plan(all).cells.size() == 3);
   CHECK(refusal(a, study("[sweep]\npoints = [3]\nrange_sigma_m = [0.1]\n" + ols_alone)).find("zip") !=
         std::string::npos);
-  // An axis has a value once.
-  CHECK(refusal(a, zipped("[5, 3]", "[0.3, 0.2]")).find("points = 3") != std::string::npos);
+  // A value may stand beside several of the other axis.
+  const Study c = zipped("[5, 3]", "[0.3, 0.2]");
+  CHECK(covers(united(a, c), a));
+  CHECK(covers(united(a, c), c));
+  CHECK(make_plan(united(a, c)).cells.size() == 4);
 }
 
 TEST_CASE("an exclusion stays only if neither study has what it leaves out") {
