@@ -3,19 +3,16 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <stdlib.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <fstream>
 #include <random>
 #include <string_view>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include "core/error.hpp"
@@ -54,12 +51,6 @@ void synchronize(const fs::path& path) {
     throw core::IoError(fmt::format("cannot flush {} to the disk: {}", path.string(), reason(error)));
 }
 
-/// Two processes, also on two machines or in two containers, as good as never draw the same.
-std::string random_part() {
-  std::random_device device;
-  return fmt::format("{:08x}{:08x}", device(), device());
-}
-
 /// Creates a file beside another one that nobody else has, not even through a link. Empty, with errno set, where that
 /// cannot be.
 fs::path create_alone(const fs::path& beside) {
@@ -74,6 +65,11 @@ fs::path create_alone(const fs::path& beside) {
 }
 
 }  // namespace
+
+std::string random_part() {
+  std::random_device device;
+  return fmt::format("{:08x}{:08x}", device(), device());
+}
 
 bool path_exists(const fs::path& path) {
   std::error_code unknown;
@@ -195,40 +191,6 @@ TemporaryFolder::TemporaryFolder() {
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
-}
-
-FolderLock::FolderLock(const fs::path& folder) {
-  // A process that was killed lets go of its lock within moments, not at once: its memory is given back first.
-  constexpr auto patience = std::chrono::seconds(1);
-  constexpr auto pause = std::chrono::milliseconds(10);
-  const auto deadline = std::chrono::steady_clock::now() + patience;
-  for (;;) {
-    descriptor_ = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor_ < 0)
-      throw core::IoError(fmt::format("cannot open the folder {}: {}", folder.string(), reason(errno)));
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      ::close(descriptor_);
-      if (std::chrono::steady_clock::now() < deadline) {
-        std::this_thread::sleep_for(pause);
-        continue;
-      }
-      throw core::InputError(
-          fmt::format("another run is writing to {}; wait for it, stop it, or choose another -o", folder.string()));
-    }
-    // The run that held the lock may have removed the folder since it was opened: then this locks a folder without
-    // name.
-    struct stat locked {};
-    struct stat named {};
-    const bool same = ::fstat(descriptor_, &locked) == 0 && ::stat(folder.c_str(), &named) == 0 &&
-                      locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
-    if (same) return;
-    ::close(descriptor_);
-    make_folder(folder);
-  }
-}
-
-FolderLock::~FolderLock() {
-  ::close(descriptor_);
 }
 
 }  // namespace ridgeloc::results

@@ -6,17 +6,20 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
+#include "studies/files/text_file.hpp"
 #include "studies/study/value.hpp"
 
 namespace ridgeloc::studies {
 
 namespace {
+
+/// A measurement of a hundred thousand rows with many columns.
+constexpr std::size_t most_mib = 256;
 
 /// What separates the cells of a CSV text: a comma, but where the first line has none, a semicolon or a tabulator.
 /// Spreadsheets write these where the comma is the decimal point.
@@ -124,12 +127,13 @@ std::size_t position_of(const std::string& column, const std::vector<std::string
 
 std::vector<std::vector<double>> read_csv_columns(const std::filesystem::path& path,
                                                   const std::vector<std::string>& columns, std::size_t most) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw core::InputError(fmt::format("{}: cannot be read; check its permissions", path.string()));
-  Rows rows(std::move(text).str());
-  const auto place = [&] { return fmt::format("{}:{}", path.string(), rows.line()); };
+  return columns_in(read_text_file(path, most_mib), path.string(), columns, most);
+}
+
+std::vector<std::vector<double>> columns_in(std::string text, const std::string& origin,
+                                            const std::vector<std::string>& columns, std::size_t most) {
+  Rows rows(std::move(text));
+  const auto place = [&] { return fmt::format("{}:{}", origin, rows.line()); };
 
   const std::vector<std::string> names = rows.next();
   std::vector<std::size_t> positions;
@@ -145,7 +149,7 @@ std::vector<std::vector<double>> read_csv_columns(const std::filesystem::path& p
       const std::string cell = positions[c] < cells.size() ? cells[positions[c]] : std::string();
       const auto value = number_in(cell, rows.separator() != ',');
       if (!value)
-        throw core::InputError(fmt::format("{}: \"{}\" in column \"{}\" is not a number", place(), cell, columns[c]));
+        throw core::InputError(fmt::format("{}: \"{}\" in column \"{}\" is not a number", place(), core::excerpt(cell), columns[c]));
       values[c].push_back(*value);
     }
   }
