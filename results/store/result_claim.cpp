@@ -23,10 +23,10 @@ constexpr double living_s = 20.0;
 void refuse_living_run(const fs::path& folder) {
   const auto found = find_run_record(folder);
   if (!found || found->record.state == RunRecord::State::Stopped || found->age_s > living_s) return;
-  throw core::InputError(
-      fmt::format("{}: process {} on {} seems to be writing there, {:.0f} s ago, and this file system has no locks; wait "
-                  "for it, stop it, or choose another -o",
-                  folder.string(), found->record.process, found->record.machine, found->age_s));
+  throw core::InputError(fmt::format(
+      "{}: process {} on {} seems to be writing there, {:.0f} s ago, and this file system has no locks; wait "
+      "for it, stop it, or choose another -o",
+      folder.string(), found->record.process, found->record.machine, found->age_s));
 }
 
 }  // namespace

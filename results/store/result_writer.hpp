@@ -122,7 +122,7 @@ class ResultWriter {
   mutable std::mutex state_mutex_;  ///< guards the next five
   /// cell * methods + method; null: nothing. Of a million cells most may have nothing yet.
   std::vector<std::unique_ptr<Present>> present_;
-  std::optional<Ledger> totals_;    ///< if they are kept
+  std::optional<Ledger> totals_;  ///< if they are kept
   Part pending_;
   std::size_t pending_column_bytes_ = 0;
   std::chrono::steady_clock::time_point last_part_;

@@ -24,10 +24,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* temporary_suffix = ".ridgeloc-tmp";
 
-std::string reason(int error) {
-  return std::generic_category().message(error);
-}
-
 fs::path folder_of(const fs::path& file) {
   const fs::path parent = file.parent_path();
   return parent.empty() ? fs::path(".") : parent;
@@ -43,12 +39,12 @@ bool is_unsupported(int error) {
 /// Flushes a file or a folder to the disk, where the file system can.
 void synchronize(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw core::IoError(fmt::format("cannot open {}: {}", path.string(), reason(errno)));
+  if (descriptor < 0) throw core::IoError(fmt::format("cannot open {}: {}", path.string(), system_message(errno)));
   const int returned = ::fsync(descriptor);
   const int error = errno;
   ::close(descriptor);
   if (returned != 0 && !is_unsupported(error))
-    throw core::IoError(fmt::format("cannot flush {} to the disk: {}", path.string(), reason(error)));
+    throw core::IoError(fmt::format("cannot flush {} to the disk: {}", path.string(), system_message(error)));
 }
 
 /// Creates a file beside another one that nobody else has, not even through a link. Empty, with errno set, where that
@@ -65,6 +61,10 @@ fs::path create_alone(const fs::path& beside) {
 }
 
 }  // namespace
+
+std::string system_message(int error) {
+  return std::generic_category().message(error);
+}
 
 std::string random_part() {
   std::random_device device;
@@ -93,7 +93,7 @@ void require_writable(const fs::path& file) {
   const fs::path probe = create_alone(file);
   if (probe.empty())
     throw core::InputError(fmt::format("cannot write {}: {}; make the folder {} writable or choose another -o",
-                                       file.string(), reason(errno), folder.string()));
+                                       file.string(), system_message(errno), folder.string()));
   ::unlink(probe.c_str());
 }
 
@@ -114,7 +114,8 @@ void make_folder(const fs::path& folder) {
 }
 
 TemporaryFile::TemporaryFile(fs::path final_path) : final_(std::move(final_path)), temporary_(create_alone(final_)) {
-  if (temporary_.empty()) throw core::IoError(fmt::format("cannot write {}: {}", final_.string(), reason(errno)));
+  if (temporary_.empty())
+    throw core::IoError(fmt::format("cannot write {}: {}", final_.string(), system_message(errno)));
 }
 
 TemporaryFile::~TemporaryFile() {
@@ -183,8 +184,8 @@ std::string temporary_name() {
 TemporaryFolder::TemporaryFolder() {
   std::string name = temporary_name();
   if (::mkdtemp(name.data()) == nullptr)
-    throw core::IoError(
-        fmt::format("cannot create a temporary folder {}: {}; set TMPDIR to a writable one", name, reason(errno)));
+    throw core::IoError(fmt::format("cannot create a temporary folder {}: {}; set TMPDIR to a writable one", name,
+                                    system_message(errno)));
   path_ = name;
 }
 

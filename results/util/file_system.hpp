@@ -80,6 +80,9 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+/// What the system says of an error number.
+std::string system_message(int error);
+
 /// Digits that two processes, also on two machines or in two containers, as good as never draw alike.
 std::string random_part();
 

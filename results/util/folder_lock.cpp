@@ -10,7 +10,6 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
-#include <system_error>
 #include <thread>
 
 #include "core/error.hpp"
@@ -20,10 +19,6 @@ namespace ridgeloc::results {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string reason(int error) {
-  return std::generic_category().message(error);
-}
 
 /// The file of the lock, made where it is not there, also with its folder. A link or anything but a file is refused:
 /// the folder may be somebody else's.
@@ -36,7 +31,7 @@ int open_lock(const fs::path& file) {
     if (descriptor >= 0 && ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode)) return descriptor;
     const int error = descriptor < 0 ? errno : EEXIST;
     if (descriptor >= 0) ::close(descriptor);
-    if (error != ENOENT) throw core::IoError(fmt::format("cannot lock {}: {}", file.string(), reason(error)));
+    if (error != ENOENT) throw core::IoError(fmt::format("cannot lock {}: {}", file.string(), system_message(error)));
     make_folder(file.parent_path());
   }
 }
@@ -67,7 +62,7 @@ FolderLock::FolderLock(const fs::path& folder) : file_(folder / "lock"), mark_(r
       throw core::InputError(
           fmt::format("another run is writing to {}; wait for it, stop it, or choose another -o", folder.string()));
     }
-    if (error != 0) failure_ = reason(error);
+    if (error != 0) failure_ = system_message(error);
     // The run that held the lock may have removed the file since it was opened: then this locks one without a name.
     if (is_named()) break;
     ::close(descriptor_);
@@ -83,7 +78,7 @@ FolderLock::~FolderLock() {
 void FolderLock::mark() {
   const bool written = ::ftruncate(descriptor_, 0) == 0 &&
                        ::write(descriptor_, mark_.data(), mark_.size()) == static_cast<ssize_t>(mark_.size());
-  if (!written) throw core::IoError(fmt::format("cannot write {}: {}", file_.string(), reason(errno)));
+  if (!written) throw core::IoError(fmt::format("cannot write {}: {}", file_.string(), system_message(errno)));
 }
 
 bool FolderLock::is_marked() const {
@@ -101,9 +96,9 @@ bool FolderLock::is_named() const {
 
 void FolderLock::require_alone() const {
   if (failure_.empty() || is_marked()) return;
-  throw core::IoError(
-      fmt::format("{} was taken by another run meanwhile, which file locks would have kept away; let one of them finish",
-                  file_.parent_path().string()));
+  throw core::IoError(fmt::format(
+      "{} was taken by another run meanwhile, which file locks would have kept away; let one of them finish",
+      file_.parent_path().string()));
 }
 
 }  // namespace ridgeloc::results

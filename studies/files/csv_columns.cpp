@@ -149,7 +149,8 @@ std::vector<std::vector<double>> columns_in(std::string text, const std::string&
       const std::string cell = positions[c] < cells.size() ? cells[positions[c]] : std::string();
       const auto value = number_in(cell, rows.separator() != ',');
       if (!value)
-        throw core::InputError(fmt::format("{}: \"{}\" in column \"{}\" is not a number", place(), core::excerpt(cell), columns[c]));
+        throw core::InputError(
+            fmt::format("{}: \"{}\" in column \"{}\" is not a number", place(), core::excerpt(cell), columns[c]));
       values[c].push_back(*value);
     }
   }

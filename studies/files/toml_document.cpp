@@ -280,8 +280,7 @@ std::string read_text(const toml::node& node, const std::string& label, const st
   if (!node.is_string())
     fail_at(node, fmt::format("{} = {} is not allowed: {} takes a text", label, text_of(node), label));
   auto text = *node.value<std::string>();
-  if (text != core::printable(text))
-    fail_at(node, fmt::format("{} holds a control character; leave it out", label));
+  if (text != core::printable(text)) fail_at(node, fmt::format("{} holds a control character; leave it out", label));
   if (!choices.empty() && std::ranges::find(choices, text) == choices.end()) {
     fail_at(node, fmt::format("{}: unknown \"{}\"{}", label, core::excerpt(text), suggestion(text, choices)));
   }

@@ -164,9 +164,10 @@ Plan make_plan(const Study& study, core::Isa isa) {
   }
   plan.header = make_header(study, plan.cells.size(), isa);
   if (plan.cells.size() * plan.header.methods.size() > max_totals) {
-    throw core::InputError(fmt::format(
-        "{}: {} cells with {} methods and comparisons each; their product may be {} at most, so cut the study in pieces",
-        study.name, plan.cells.size(), plan.header.methods.size(), max_totals));
+    throw core::InputError(
+        fmt::format("{}: {} cells with {} methods and comparisons each; their product may be {} at most, so cut the "
+                    "study in pieces",
+                    study.name, plan.cells.size(), plan.header.methods.size(), max_totals));
   }
   describe_cells(study, plan);
   return plan;

@@ -244,8 +244,8 @@ TEST_CASE("a file system that cannot synchronize folders is written to all the s
 TEST_CASE("runs are kept apart where nothing can be locked but what is open for writing, as on NFS") {
   const WithStudy folder(study);
   const std::string program = on_odd_file_system("READ_ONLY_LOCK_ERROR", EBADF);
-  const Outcome outcome = folder.shell(program + "run s.toml --trials 1e10 2> first & run=$!; " + until_begun + program +
-                                       "run s.toml; echo $?; kill -TERM $run; wait $run; echo $?");
+  const Outcome outcome = folder.shell(program + "run s.toml --trials 1e10 2> first & run=$!; " + until_begun +
+                                       program + "run s.toml; echo $?; kill -TERM $run; wait $run; echo $?");
   INFO(outcome.error);
   CHECK(outcome.out == "2\n4\n");
   CHECK(line_count(outcome.error) == 1);
@@ -256,8 +256,8 @@ TEST_CASE("runs are kept apart where nothing can be locked but what is open for 
 TEST_CASE("where there are no locks that is said, and a second run is refused by what the first says of itself") {
   const WithStudy folder(study);
   const std::string program = on_odd_file_system("LOCK_ERROR", ENOLCK);
-  const Outcome outcome = folder.shell(program + "run s.toml --trials 1e10 2> first & run=$!; " + until_begun + program +
-                                       "run s.toml; echo $?; kill -TERM $run; wait $run; echo $?");
+  const Outcome outcome = folder.shell(program + "run s.toml --trials 1e10 2> first & run=$!; " + until_begun +
+                                       program + "run s.toml; echo $?; kill -TERM $run; wait $run; echo $?");
   INFO(outcome.error);
   CHECK(outcome.out == "2\n4\n");
   CHECK(line_count(outcome.error) == 1);
@@ -265,7 +265,8 @@ TEST_CASE("where there are no locks that is said, and a second run is refused by
   CHECK(contains(outcome.error, " s ago, and this file system has no locks; wait for it, stop it, or choose another"));
   const std::string first = folder.read("first");
   INFO(first);
-  CHECK(contains(first, "warning: s.h5: this file system has no locks (No locks available); see to it that no other run"));
+  CHECK(contains(first,
+                 "warning: s.h5: this file system has no locks (No locks available); see to it that no other run"));
   CHECK(contains(first, "The same command goes on from there."));
   // Whoever was stopped is nobody to wait for.
   CHECK(folder.shell(program + "run s.toml --trials 1000").exit_code == 0);
@@ -274,11 +275,12 @@ TEST_CASE("where there are no locks that is said, and a second run is refused by
 TEST_CASE("where there are no locks a run that another one has come upon ends before it writes") {
   const WithStudy folder(study);
   const std::string program = on_odd_file_system("LOCK_ERROR", ENOLCK);
-  const Outcome outcome =
-      folder.shell(program + "run s.toml --trials 1e10 & run=$!; " + until_begun + "echo other > s.h5.parts/lock; wait $run");
+  const Outcome outcome = folder.shell(program + "run s.toml --trials 1e10 & run=$!; " + until_begun +
+                                       "echo other > s.h5.parts/lock; wait $run");
   INFO(outcome.error);
   CHECK(outcome.exit_code == 3);
-  CHECK(contains(outcome.error, "s.h5.parts was taken by another run meanwhile, which file locks would have kept away"));
+  CHECK(
+      contains(outcome.error, "s.h5.parts was taken by another run meanwhile, which file locks would have kept away"));
   CHECK(folder.read("s.h5.parts/lock") == "other\n");
 }
 

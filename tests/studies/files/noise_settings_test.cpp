@@ -100,8 +100,9 @@ TEST_CASE("each bad list or file of samples gets one line") {
        "demo.toml:4: noise.noise_dof = 2 is not allowed: noise.noise_dof takes a number from 2.1"},
   };
   for (const auto& [text, message] : cases) {
-    const std::string error =
-        tests::refusal_of([&, study = text] { read_study({"demo", folder + "demo.toml", study}); });
+    const std::string error = tests::refusal_of([&, study = text] {
+      read_study({"demo", folder + "demo.toml", study});
+    });
     INFO(text << "\n-> " << error);
     CHECK(error.find(message) != std::string::npos);
     CHECK(error.find('\n') == std::string::npos);
@@ -124,7 +125,8 @@ TEST_CASE("a study names no file outside of its folder, the command line any") {
                                   std::string("../inner.csv"), std::string("../inner/../residuals.csv")}) {
     const std::string error = error_of_file(name, origin);
     INFO(name << ": " << error);
-    CHECK(tests::lacking(error, {"demo.toml:5: noise.noise_samples.file: ", " lies neither beside the study nor below; "
+    CHECK(tests::lacking(error, {"demo.toml:5: noise.noise_samples.file: ",
+                                 " lies neither beside the study nor below; "
                                  "move it there, or name it on the command line, with --set"}) == "");
   }
   fs::copy_file(residuals.folder / "residuals.csv", folder / "own.csv");

@@ -190,7 +190,9 @@ TEST_CASE("a study that is not there names the nearest one in the catalog") {
 }
 
 TEST_CASE("a text with what a terminal takes for a command is refused, one of several lines is not") {
-  const auto titled = [](const std::string& title) { return tests::error_of("title = " + title + "\n" + tests::valid); };
+  const auto titled = [](const std::string& title) {
+    return tests::error_of("title = " + title + "\n" + tests::valid);
+  };
   for (const char* title : {"\"\\u001b]0;x\\u0007\"", "\"a\\rb\"", "\"\\u009b31m\"", "\"\\u0000\""})
     CHECK(titled(title) == "demo.toml:1: title holds a control character; leave it out");
   CHECK(titled("\"\"\"\r\na\r\n\tb\"\"\"").empty());

@@ -78,8 +78,9 @@ TEST_CASE("a study of more totals than can be held is refused") {
   const auto message = tests::refusal_of([&] {
     make_plan(read_study({"demo", "demo.toml", "experiment = \"ranging\"\n" + axes + methods}));
   });
-  CHECK(tests::lacking(message, {"demo: 998000 cells with 60 methods and comparisons each; their product may be 20000000",
-                                 "cut the study in pieces"}) == "");
+  CHECK(
+      tests::lacking(message, {"demo: 998000 cells with 60 methods and comparisons each; their product may be 20000000",
+                               "cut the study in pieces"}) == "");
 }
 
 TEST_CASE("blocks cover the trials of a cell, the last one in part") {
