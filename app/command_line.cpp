@@ -13,6 +13,7 @@
 #include <new>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "app/build_info.hpp"
 #include "app/duration.hpp"
@@ -21,6 +22,7 @@
 #include "app/output.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
+#include "core/printable.hpp"
 #include "studies/listing.hpp"
 #include "studies/registry.hpp"
 #include "studies/study/experiment.hpp"
@@ -33,8 +35,9 @@ namespace {
 
 /// One line on standard error, whatever the message quotes.
 int complain(std::string message, ExitCode code) {
+  message = core::printable(std::move(message));
   std::ranges::replace_if(
-      message, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+      message, [](char c) { return c == '\n' || c == '\t'; }, ' ');
   say(fmt::format("ridgeloc: {}\n", message));
   return code;
 }

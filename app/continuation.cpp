@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "app/instruction_set.hpp"
@@ -89,9 +88,7 @@ Job continued(studies::Study study, const std::filesystem::path& output, const s
   Job job;
   job.output = output;
   job.study = study;
-  std::set<std::string> seen;
   for (std::size_t i = 0; i < headers.size(); ++i) {
-    if (!seen.insert(headers[i].study_toml).second) continue;
     const std::string difference = difference_to(study, headers[i], path);
     if (!difference.empty())
       throw core::InputError(fmt::format("{}: {}; choose another -o or remove it", path, difference));
@@ -103,7 +100,9 @@ Job continued(studies::Study study, const std::filesystem::path& output, const s
   }
   const core::Isa set = isa_of(isa, headers, path);
   job.plan = studies::make_plan(job.study, set);
-  job.assignment = studies::assignment_of(job.plan, studies::make_plan(study, set), shard);
+  // Without anything there it is all of the plan, which may have a million cells.
+  const studies::Plan asked = headers.empty() ? studies::Plan() : studies::make_plan(study, set);
+  job.assignment = studies::assignment_of(job.plan, headers.empty() ? job.plan : asked, shard);
   return job;
 }
 

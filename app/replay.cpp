@@ -114,7 +114,7 @@ void print_json(const studies::Replay& replay, const Recomputation& source, cons
 int replay(const ReplayOptions& options) {
   const Recomputation source = open_source(options.source);
   const studies::Experiment& experiment = *source.study.experiment;
-  const studies::Cell& cell = studies::choose_cell(source.plan, options.cell);
+  const studies::Cell cell = studies::choose_cell(source.plan, options.cell);
   const auto methods = chosen_methods(source.study, options);
   const auto simulation = experiment.prepare(source.study.seed, cell, methods);
   const auto workspace = experiment.make_workspace(source.plan.isa);

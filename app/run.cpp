@@ -165,6 +165,10 @@ bool run_job(const Request& request, const RunOptions& options, const std::atomi
   // What is there is looked at when nobody else can change it any more: another run may have made or widened it while
   // this study waited for its turn.
   results::ResultClaim claim(request.output);
+  if (!claim.lock_failure().empty()) {
+    say(fmt::format("warning: {}: this file system has no locks ({}); see to it that no other run writes this result\n",
+                    request.output.string(), claim.lock_failure()));
+  }
   const Job job = job_of(request, options);
   const int threads = options.study.threads;
   print_surplus(job);

@@ -32,10 +32,12 @@ constexpr unsigned most_compact_links = 64;
 
 /// Before the first other call of a thread. HDF5 prints its error stack by default, once per thread that has
 /// not been told otherwise; and its exit handler crashes over a file that could not be closed because the
-/// disk was full.
+/// disk was full. A file may name filters, for which HDF5 would load libraries: results have none but deflate.
 void prepare() {
   static const herr_t without_exit_handler = H5dont_atexit();
+  static const herr_t without_plugins = H5PLset_loading_state(0);
   static_cast<void>(without_exit_handler);
+  static_cast<void>(without_plugins);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 

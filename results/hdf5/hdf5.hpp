@@ -97,6 +97,7 @@ class File {
     read_range(path, type_of<T>(), first, count, room_in(values));
     return values;
   }
+  /// Texts, here and in attributes, come as core::printable has them: none is a command for a terminal.
   std::vector<std::string> read_text(const std::string& path) const;
 
   void write_attribute(const std::string& object, const std::string& name, const std::string& value);

@@ -2,6 +2,7 @@
 #include <hdf5_hl.h>
 
 #include "core/error.hpp"
+#include "core/printable.hpp"
 #include "results/hdf5/hdf5.hpp"
 #include "results/hdf5/hdf5_handle.hpp"
 
@@ -116,7 +117,7 @@ std::vector<std::string> File::texts_attribute(const std::string& object, const 
   const Handle type = text_type(path_);
   if (H5Aread(attribute, type, pointers.data()) < 0) fail("read", path_, place.words());
   std::vector<std::string> values;
-  for (const char* pointer : pointers) values.emplace_back(pointer == nullptr ? "" : pointer);
+  for (const char* pointer : pointers) values.push_back(core::printable(pointer == nullptr ? "" : pointer));
   H5Dvlen_reclaim(type, array_space(place, pointers.size()), H5P_DEFAULT, pointers.data());
   return values;
 }

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
+#include "core/printable.hpp"
 
 namespace ridgeloc::results::hdf5 {
 namespace {
@@ -124,7 +125,7 @@ std::vector<std::string> Dataset::read_text() const {
   const Handle element = text_type(name_);
   if (H5Dread(id_, element, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()) < 0) fail("read", name_, path_);
   std::vector<std::string> values;
-  for (const char* pointer : pointers) values.emplace_back(pointer == nullptr ? "" : pointer);
+  for (const char* pointer : pointers) values.push_back(core::printable(pointer == nullptr ? "" : pointer));
   H5Dvlen_reclaim(element, space_, H5P_DEFAULT, pointers.data());
   return values;
 }

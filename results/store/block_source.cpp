@@ -3,39 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "core/error.hpp"
+#include "results/schema/places_by_hash.hpp"
 
 namespace ridgeloc::results {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// By number of a cell or method in one header: its numbers in another.
-using Numbers = std::vector<std::vector<std::size_t>>;
-
+/// The places that a cell or method of a file has in another header.
 template <typename Info>
-Numbers numbers_of(const std::vector<Info>& found, const std::vector<Info>& wanted) {
-  std::multimap<std::string, std::size_t> places;
-  for (std::size_t i = 0; i < wanted.size(); ++i) places.emplace(wanted[i].hash, i);
-  Numbers numbers;
-  for (const Info& info : found) {
-    std::vector<std::size_t>& here = numbers.emplace_back();
-    const auto [begin, end] = places.equal_range(info.hash);
-    for (auto place = begin; place != end; ++place) here.push_back(place->second);
-  }
-  return numbers;
-}
-
-const std::vector<std::size_t>& at(const Numbers& numbers, std::size_t number, const fs::path& path, const char* what) {
-  if (number >= numbers.size())
+auto places_of(const PlacesByHash& wanted, const std::vector<Info>& found, std::size_t number, const fs::path& path,
+               const char* what) {
+  if (number >= found.size())
     throw core::IoError(fmt::format("{} is damaged: it names an unknown {}", path.string(), what));
-  if (numbers[number].empty())
+  auto places = wanted.of(found[number].hash);
+  if (places.empty())
     throw core::InputError(fmt::format(
         "{} holds a {} that the study has not; add it to the study, or choose another -o", path.string(), what));
-  return numbers[number];
+  return places;
 }
 
 /// In a part all columns of a block lie one after the other.
@@ -107,11 +95,11 @@ void require_same_study(const Header& found, const Header& wanted, const std::st
 }
 
 void renumber(BlockSource& source, const Header& found, const Header& wanted) {
-  const Numbers cells = numbers_of(found.cells, wanted.cells);
-  const Numbers methods = numbers_of(found.methods, wanted.methods);
+  const PlacesByHash cells(wanted.cells);
+  const PlacesByHash methods(wanted.methods);
   const auto for_each_place = [&](std::size_t cell, std::size_t method, auto&& f) {
-    for (const std::size_t c : at(cells, cell, source.path, "cell"))
-      for (const std::size_t m : at(methods, method, source.path, "method")) f(c, m);
+    for (const std::size_t c : places_of(cells, found.cells, cell, source.path, "cell"))
+      for (const std::size_t m : places_of(methods, found.methods, method, source.path, "method")) f(c, m);
   };
 
   Ledger ledger(wanted.block_trials);

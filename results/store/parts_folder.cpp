@@ -7,6 +7,7 @@
 #include <string_view>
 #include <system_error>
 #include <tuple>
+#include <utility>
 
 #include "core/error.hpp"
 #include "results/store/part.hpp"
@@ -73,7 +74,9 @@ std::vector<Header> headers_at(const fs::path& path) {
   if (fs::exists(path, unknown)) headers.push_back(read_result_header(path));
   for (const fs::path& part : content_of(parts_folder(path)).parts) {
     try {
-      headers.push_back(read_part_header(part));
+      Header header = read_part_header(part);
+      const bool is_known = std::ranges::find(headers, header.study_toml, &Header::study_toml) != headers.end();
+      if (!is_known) headers.push_back(std::move(header));
     } catch (const core::IoError&) {
       continue;
     }

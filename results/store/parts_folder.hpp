@@ -28,8 +28,9 @@ PartsFolderContent content_of(const std::filesystem::path& folder);
 std::uintmax_t stored_bytes(const std::filesystem::path& path);
 
 /// What the files of a result say of themselves: the sealed one at `path`, if there is one, then the parts that a
-/// stopped run has left beside it. Damaged parts are passed over: the writer reports them. Throws core::InputError if
-/// the sealed one is damaged, and if anything is of a version of the format that this program does not know.
+/// stopped run has left beside it. Of files with the same study it is the first, and damaged parts are passed over: the
+/// writer reports them. Throws core::InputError if the sealed one is damaged, and if anything is of a version of the
+/// format that this program does not know.
 std::vector<Header> headers_at(const std::filesystem::path& path);
 
 }  // namespace ridgeloc::results

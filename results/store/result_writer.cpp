@@ -103,13 +103,25 @@ void ResultWriter::mark_present(const TrialColumns& columns) {
   present(columns.cell, columns.method).columns.insert(columns.block, 1, columns.trials, header_.block_trials);
 }
 
+ResultWriter::Present& ResultWriter::present(std::size_t cell, std::size_t method) {
+  std::unique_ptr<Present>& place = present_.at(cell * header_.methods.size() + method);
+  if (place == nullptr) place = std::make_unique<Present>();
+  return *place;
+}
+
+const ResultWriter::Present& ResultWriter::present(std::size_t cell, std::size_t method) const {
+  static const Present nothing;
+  const std::unique_ptr<Present>& place = present_.at(cell * header_.methods.size() + method);
+  return place == nullptr ? nothing : *place;
+}
+
 std::vector<std::size_t> ResultWriter::missing_methods(std::size_t cell, std::uint64_t block, std::uint64_t trials,
                                                        const std::vector<std::size_t>& methods) const {
   const std::uint64_t kept = kept_trials(header_, block, trials);
   std::vector<std::size_t> missing;
   const std::lock_guard lock(state_mutex_);
   for (const std::size_t method : methods) {
-    const Present& there = present_.at(cell * header_.methods.size() + method);
+    const Present& there = present(cell, method);
     const bool has_columns = !header_.methods[method].difference;
     if (!there.blocks.contains(block, trials) || (kept > 0 && has_columns && !there.columns.contains(block, kept)))
       missing.push_back(method);
@@ -122,7 +134,7 @@ std::uint64_t ResultWriter::blocks_there(std::size_t cell, std::uint64_t trials,
   std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
   const std::lock_guard lock(state_mutex_);
   for (const std::size_t method : methods) {
-    const Coverage& blocks = present_.at(cell * header_.methods.size() + method).blocks;
+    const Coverage& blocks = present(cell, method).blocks;
     fewest = std::min(fewest, blocks.count(trials, header_.block_trials));
   }
   return fewest;
@@ -130,7 +142,7 @@ std::uint64_t ResultWriter::blocks_there(std::size_t cell, std::uint64_t trials,
 
 std::uint64_t ResultWriter::values_there(std::size_t cell, std::uint64_t trials, std::size_t method) const {
   const std::lock_guard lock(state_mutex_);
-  return present_.at(cell * header_.methods.size() + method).columns.count(trials, header_.block_trials);
+  return present(cell, method).columns.count(trials, header_.block_trials);
 }
 
 ResultWriter::Extent ResultWriter::extent(std::size_t cell, std::uint64_t trials,
@@ -138,7 +150,7 @@ ResultWriter::Extent ResultWriter::extent(std::size_t cell, std::uint64_t trials
   Extent extent{std::numeric_limits<std::uint64_t>::max(), 0};
   const std::lock_guard lock(state_mutex_);
   for (const std::size_t method : methods) {
-    const Coverage& blocks = present_.at(cell * header_.methods.size() + method).blocks;
+    const Coverage& blocks = present(cell, method).blocks;
     extent.unbroken = std::min(extent.unbroken, blocks.unbroken(trials, header_.block_trials));
     extent.end = std::max(extent.end, blocks.end());
   }
@@ -194,6 +206,7 @@ Part ResultWriter::take_pending() {
 void ResultWriter::write(const Part& part) {
   if (part.ledger.size() == 0) return;
   const std::lock_guard lock(parts_mutex_);
+  claim_->require_alone();
   const fs::path path = next_part_path();
   write_part(path, header_, part);
   parts_.push_back(path);
@@ -236,7 +249,7 @@ void ResultWriter::require_complete(const Ledger& ledger) const {
   for (const Row& row : ledger.rows()) trials[row.cell * header_.methods.size() + row.method] += row.statistics.trials;
   std::size_t missing = 0;
   for (std::size_t i = 0; i < trials.size(); ++i)
-    if (trials[i] < present_[i].blocks.trials(header_.block_trials)) ++missing;
+    if (present_[i] != nullptr && trials[i] < present_[i]->blocks.trials(header_.block_trials)) ++missing;
   if (missing > 0)
     throw core::IoError(fmt::format("{} of {} pairs of cell and method lack trials that were computed: {} was changed",
                                     missing, trials.size(), folder_.string()));
@@ -245,6 +258,7 @@ void ResultWriter::require_complete(const Ledger& ledger) const {
 void ResultWriter::seal(const Provenance& provenance) {
   flush();
   const std::lock_guard lock(parts_mutex_);
+  claim_->require_alone();
   // A merge does not hold the lock, and what it has written here would be lost.
   if (!has_result_ && path_exists(path_))
     throw core::IoError(fmt::format("{} has appeared while the study ran, and is not replaced", path_.string()));

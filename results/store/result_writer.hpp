@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -100,7 +101,8 @@ class ResultWriter {
   void mark_present(const BlockSource& source);
   void mark_present(const Row& row);
   void mark_present(const TrialColumns& columns);
-  Present& present(std::size_t cell, std::size_t method) { return present_[cell * header_.methods.size() + method]; }
+  Present& present(std::size_t cell, std::size_t method);
+  const Present& present(std::size_t cell, std::size_t method) const;
   Part new_part() const;
   Part take_pending();
   void write(const Part& part);
@@ -118,8 +120,9 @@ class ResultWriter {
   std::vector<std::filesystem::path> damaged_parts_;
 
   mutable std::mutex state_mutex_;  ///< guards the next five
-  std::vector<Present> present_;    ///< cell * methods + method
-  std::optional<Ledger> totals_;    ///< if they are kept
+  /// cell * methods + method; null: nothing. Of a million cells most may have nothing yet.
+  std::vector<std::unique_ptr<Present>> present_;
+  std::optional<Ledger> totals_;  ///< if they are kept
   Part pending_;
   std::size_t pending_column_bytes_ = 0;
   std::chrono::steady_clock::time_point last_part_;

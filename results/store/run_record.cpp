@@ -14,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/printable.hpp"
 #include "results/util/file_system.hpp"
 
 namespace ridgeloc::results {
@@ -45,6 +46,8 @@ bool read_line(const std::string& line, RunRecord& record) {
   in >> name;
   if (name == "machine") in >> record.machine;
   if (name == "begun") in >> record.begun;
+  record.machine = core::printable(std::move(record.machine));
+  record.begun = core::printable(std::move(record.begun));
   if (name == "seconds") in >> record.seconds;
   if (name == "state") {
     std::uint64_t state = 0;

@@ -3,19 +3,16 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <stdlib.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <fstream>
 #include <random>
 #include <string_view>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include "core/error.hpp"
@@ -26,10 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* temporary_suffix = ".ridgeloc-tmp";
-
-std::string reason(int error) {
-  return std::generic_category().message(error);
-}
 
 fs::path folder_of(const fs::path& file) {
   const fs::path parent = file.parent_path();
@@ -46,18 +39,12 @@ bool is_unsupported(int error) {
 /// Flushes a file or a folder to the disk, where the file system can.
 void synchronize(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw core::IoError(fmt::format("cannot open {}: {}", path.string(), reason(errno)));
+  if (descriptor < 0) throw core::IoError(fmt::format("cannot open {}: {}", path.string(), system_message(errno)));
   const int returned = ::fsync(descriptor);
   const int error = errno;
   ::close(descriptor);
   if (returned != 0 && !is_unsupported(error))
-    throw core::IoError(fmt::format("cannot flush {} to the disk: {}", path.string(), reason(error)));
-}
-
-/// Two processes, also on two machines or in two containers, as good as never draw the same.
-std::string random_part() {
-  std::random_device device;
-  return fmt::format("{:08x}{:08x}", device(), device());
+    throw core::IoError(fmt::format("cannot flush {} to the disk: {}", path.string(), system_message(error)));
 }
 
 /// Creates a file beside another one that nobody else has, not even through a link. Empty, with errno set, where that
@@ -74,6 +61,15 @@ fs::path create_alone(const fs::path& beside) {
 }
 
 }  // namespace
+
+std::string system_message(int error) {
+  return std::generic_category().message(error);
+}
+
+std::string random_part() {
+  std::random_device device;
+  return fmt::format("{:08x}{:08x}", device(), device());
+}
 
 bool path_exists(const fs::path& path) {
   std::error_code unknown;
@@ -97,7 +93,7 @@ void require_writable(const fs::path& file) {
   const fs::path probe = create_alone(file);
   if (probe.empty())
     throw core::InputError(fmt::format("cannot write {}: {}; make the folder {} writable or choose another -o",
-                                       file.string(), reason(errno), folder.string()));
+                                       file.string(), system_message(errno), folder.string()));
   ::unlink(probe.c_str());
 }
 
@@ -118,7 +114,8 @@ void make_folder(const fs::path& folder) {
 }
 
 TemporaryFile::TemporaryFile(fs::path final_path) : final_(std::move(final_path)), temporary_(create_alone(final_)) {
-  if (temporary_.empty()) throw core::IoError(fmt::format("cannot write {}: {}", final_.string(), reason(errno)));
+  if (temporary_.empty())
+    throw core::IoError(fmt::format("cannot write {}: {}", final_.string(), system_message(errno)));
 }
 
 TemporaryFile::~TemporaryFile() {
@@ -187,48 +184,14 @@ std::string temporary_name() {
 TemporaryFolder::TemporaryFolder() {
   std::string name = temporary_name();
   if (::mkdtemp(name.data()) == nullptr)
-    throw core::IoError(
-        fmt::format("cannot create a temporary folder {}: {}; set TMPDIR to a writable one", name, reason(errno)));
+    throw core::IoError(fmt::format("cannot create a temporary folder {}: {}; set TMPDIR to a writable one", name,
+                                    system_message(errno)));
   path_ = name;
 }
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
-}
-
-FolderLock::FolderLock(const fs::path& folder) {
-  // A process that was killed lets go of its lock within moments, not at once: its memory is given back first.
-  constexpr auto patience = std::chrono::seconds(1);
-  constexpr auto pause = std::chrono::milliseconds(10);
-  const auto deadline = std::chrono::steady_clock::now() + patience;
-  for (;;) {
-    descriptor_ = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor_ < 0)
-      throw core::IoError(fmt::format("cannot open the folder {}: {}", folder.string(), reason(errno)));
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      ::close(descriptor_);
-      if (std::chrono::steady_clock::now() < deadline) {
-        std::this_thread::sleep_for(pause);
-        continue;
-      }
-      throw core::InputError(
-          fmt::format("another run is writing to {}; wait for it, stop it, or choose another -o", folder.string()));
-    }
-    // The run that held the lock may have removed the folder since it was opened: then this locks a folder without
-    // name.
-    struct stat locked {};
-    struct stat named {};
-    const bool same = ::fstat(descriptor_, &locked) == 0 && ::stat(folder.c_str(), &named) == 0 &&
-                      locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
-    if (same) return;
-    ::close(descriptor_);
-    make_folder(folder);
-  }
-}
-
-FolderLock::~FolderLock() {
-  ::close(descriptor_);
 }
 
 }  // namespace ridgeloc::results

@@ -80,18 +80,10 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// An advisory lock on a folder, held while the object lives and dropped by the system when the process dies.
-class FolderLock {
- public:
-  /// Throws core::InputError if another process holds it for a second. File systems without locks are let pass: there,
-  /// that only one run writes to a result is the user's care.
-  explicit FolderLock(const std::filesystem::path& folder);
-  ~FolderLock();
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
+/// What the system says of an error number.
+std::string system_message(int error);
 
- private:
-  int descriptor_ = -1;
-};
+/// Digits that two processes, also on two machines or in two containers, as good as never draw alike.
+std::string random_part();
 
 }  // namespace ridgeloc::results

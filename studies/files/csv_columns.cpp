@@ -4,15 +4,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
+#include <sstream>
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "studies/files/csv_rows.hpp"
+#include "studies/files/text_file.hpp"
 #include "studies/study/value.hpp"
 
 namespace ridgeloc::studies {
 
 namespace {
+
+/// A measurement of a hundred thousand rows with many columns.
+constexpr std::size_t most_mib = 256;
 
 /// Where a column stands in the first line.
 std::size_t position_of(const std::string& column, const std::vector<std::string>& names, const std::string& place) {
@@ -28,15 +33,17 @@ std::size_t position_of(const std::string& column, const std::vector<std::string
 
 std::vector<std::vector<double>> read_csv_columns(const std::filesystem::path& path,
                                                   const std::vector<std::string>& columns, std::size_t most) {
-  std::ifstream file(path, std::ios::binary);
-  CsvRows rows(file);
-  const auto place = [&] { return fmt::format("{}:{}", path.string(), rows.line()); };
+  return columns_in(read_text_file(path, most_mib), path.string(), columns, most);
+}
+
+std::vector<std::vector<double>> columns_in(std::string text, const std::string& origin,
+                                            const std::vector<std::string>& columns, std::size_t most) {
+  std::istringstream stream(std::move(text));
+  CsvRows rows(stream);
+  const auto place = [&] { return fmt::format("{}:{}", origin, rows.line()); };
 
   std::vector<std::string> names;
   rows.next(names);
-  // A folder opens like a file and fails when it is read.
-  if (file.bad() || !file.is_open())
-    throw core::InputError(fmt::format("{}: cannot be read; check its permissions", path.string()));
   std::vector<std::size_t> positions;
   for (const std::string& column : columns) positions.push_back(position_of(column, names, place()));
   std::vector<std::vector<double>> values(columns.size());
@@ -50,11 +57,11 @@ std::vector<std::vector<double>> read_csv_columns(const std::filesystem::path& p
       const std::string cell = positions[c] < cells.size() ? cells[positions[c]] : std::string();
       const auto value = rows.number_in(cell);
       if (!value)
-        throw core::InputError(fmt::format("{}: \"{}\" in column \"{}\" is not a number", place(), cell, columns[c]));
+        throw core::InputError(
+            fmt::format("{}: \"{}\" in column \"{}\" is not a number", place(), core::excerpt(cell), columns[c]));
       values[c].push_back(*value);
     }
   }
-  if (file.bad()) throw core::InputError(fmt::format("{}: cannot be read to its end", path.string()));
   return values;
 }
 

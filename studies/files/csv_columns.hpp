@@ -14,4 +14,8 @@ namespace ridgeloc::studies {
 std::vector<std::vector<double>> read_csv_columns(const std::filesystem::path& path,
                                                   const std::vector<std::string>& columns, std::size_t most);
 
+/// The same of a text, which messages call `origin`.
+std::vector<std::vector<double>> columns_in(std::string text, const std::string& origin,
+                                            const std::vector<std::string>& columns, std::size_t most);
+
 }  // namespace ridgeloc::studies

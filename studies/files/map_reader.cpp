@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "core/error.hpp"
 #include "sim/random_building.hpp"
 #include "studies/catalog/building_maps.hpp"
+#include "studies/files/text_file.hpp"
 #include "studies/files/toml_document.hpp"
 
 namespace ridgeloc::studies {
@@ -220,16 +219,8 @@ class MapReader {
 };
 
 Building from_file(const toml::node& node, const std::string& label) {
-  const std::filesystem::path path = folder_of(node) / read_text(node, label + ".file");
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) {
-    fail_at(node, fmt::format("{}.file: there is no file {}", label, path.string()));
-  }
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) fail_at(node, fmt::format("{}.file: {} cannot be read; check its permissions", label, path.string()));
-  const toml::table document = parse_document(text.str(), path.string(), {});
+  const std::filesystem::path path = named_file(node, label);
+  const toml::table document = parse_document(read_text_file(path, most_text_mib), path.string(), {});
   return Building(MapReader(document).take());
 }
 

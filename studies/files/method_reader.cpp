@@ -96,7 +96,10 @@ void read_methods(const toml::table& document, const std::string& origin, Study&
     throw core::InputError(fmt::format("{}: no [[method]]; add at least one with solver = \"...\" (allowed: {})",
                                        origin, fmt::join(solvers_of(*study.experiment), ", ")));
   }
-  for (const toml::table* table : read_tables(*node, "method")) read_method(*table, study);
+  const auto tables = read_tables(*node, "method");
+  if (tables.size() > max_methods)
+    fail_at(*node, fmt::format("{} [[method]]s; at most {} are allowed", tables.size(), max_methods));
+  for (const toml::table* table : tables) read_method(*table, study);
 
   for (const SweepAxis& axis : study.sweep) {
     const bool read = std::ranges::any_of(study.methods, [&](const Method& m) {

@@ -5,14 +5,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "core/error.hpp"
 #include "core/excerpt.hpp"
+#include "core/printable.hpp"
 #include "results/util/file_system.hpp"
 #include "studies/catalog/catalog.hpp"
 #include "studies/files/sections.hpp"
+#include "studies/files/text_file.hpp"
 #include "studies/files/toml_document.hpp"
 #include "studies/study/capabilities.hpp"
 #include "studies/study/conditions.hpp"
@@ -142,11 +142,7 @@ StudySource find_study(std::string_view path_or_name) {
     throw core::InputError(fmt::format(
         "{}: is HDF5 and no study; `ridgeloc export --study` takes the study out of a result", path_or_name));
   }
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw core::InputError(fmt::format("{}: cannot be read; check its permissions", path_or_name));
-  return {path.stem().string(), path.string(), text.str()};
+  return {path.stem().string(), path.string(), read_text_file(path, most_text_mib)};
 }
 
 Study read_study(const StudySource& source, std::span<const std::string> overrides,
@@ -165,7 +161,7 @@ Study read_study(const StudySource& source, std::span<const std::string> overrid
   check_keys(document, "the study", allowed);
 
   const toml::node* title = document.get("title");
-  study.title = title == nullptr ? source.name : read_text(*title, "title");
+  study.title = title == nullptr ? core::printable(source.name) : read_text(*title, "title");
   if (const toml::node* aims = document.get("aims")) study.aims = read_text(*aims, "aims");
   if (const toml::node* seed = document.get("seed")) {
     study.seed = static_cast<std::uint64_t>(std::get<std::int64_t>(read_setting(*seed, study_setting("seed"), "seed")));

@@ -142,7 +142,10 @@ void read_zip(const toml::node& node, Study& study) {
 }
 
 void read_exclude(const toml::node& node, Study& study) {
-  for (const toml::table* table : read_tables(node, "sweep.exclude")) {
+  const auto tables = read_tables(node, "sweep.exclude");
+  if (tables.size() > max_exclusions)
+    fail_at(node, fmt::format("sweep.exclude has {} tables; at most {} are allowed", tables.size(), max_exclusions));
+  for (const toml::table* table : tables) {
     check_keys(*table, "sweep.exclude", axis_names(study));
     if (table->empty()) fail_at(*table, "sweep.exclude: an empty table would leave out every cell");
     Values values;

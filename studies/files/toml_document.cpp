@@ -6,16 +6,20 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <sstream>
 
 #include "core/error.hpp"
 #include "core/excerpt.hpp"
+#include "core/printable.hpp"
 #include "studies/files/csv_columns.hpp"
 
 namespace ridgeloc::studies {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::string_view override_prefix = "--set ";
 
@@ -165,6 +169,22 @@ std::optional<Value> read_value(const toml::node& node, const Setting& s) {
   return std::nullopt;
 }
 
+/// Folder that paths in a node start from: that of its study file; for an override the working directory, as for all
+/// that is typed there.
+fs::path folder_of(const toml::node& node) {
+  const toml::source_region& source = node.source();
+  if (source.path == nullptr || is_override(node)) return {};
+  return fs::path(*source.path).parent_path();
+}
+
+/// Whether a path lies outside of a folder when all its links are followed.
+bool leads_out(const fs::path& folder, const fs::path& path) {
+  std::error_code unknown;
+  const fs::path inside = fs::weakly_canonical(folder.empty() ? "." : folder, unknown);
+  const fs::path whole = fs::weakly_canonical(path, unknown);
+  return std::ranges::mismatch(inside, whole).in1 != inside.end();
+}
+
 }  // namespace
 
 toml::table parse_document(std::string_view text, const std::string& origin, std::span<const std::string> overrides) {
@@ -192,10 +212,19 @@ std::string text_of(const toml::node& node) {
   return core::excerpt(text);
 }
 
-std::filesystem::path folder_of(const toml::node& node) {
-  const toml::source_region& source = node.source();
-  if (source.path == nullptr || is_override(node)) return {};
-  return std::filesystem::path(*source.path).parent_path();
+std::filesystem::path named_file(const toml::node& node, const std::string& label) {
+  const std::string name = read_text(node, label + ".file");
+  const fs::path folder = folder_of(node);
+  const fs::path path = folder / name;
+  if (!is_override(node) && leads_out(folder, path)) {
+    fail_at(node, fmt::format("{}.file: {} lies neither beside the study nor below; move it there, or name it on the "
+                              "command line, with --set",
+                              label, core::excerpt(name)));
+  }
+  std::error_code unknown;
+  if (!fs::is_regular_file(path, unknown))
+    fail_at(node, fmt::format("{}.file: there is no file {}", label, path.string()));
+  return path;
 }
 
 void fail_at(const toml::node& node, const std::string& message) {
@@ -247,17 +276,14 @@ std::vector<std::vector<double>> read_columns_of(const toml::table& table, const
                                                  const std::vector<std::string>& columns, std::size_t most) {
   const toml::node* file = table.get("file");
   if (file == nullptr) fail_at(table, fmt::format("{} lacks file; give {{ file = \"NAME.csv\", ... }}", label));
-  const std::filesystem::path path = folder_of(*file) / read_text(*file, fmt::format("{}.file", label));
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored))
-    fail_at(*file, fmt::format("{}.file: there is no file {}", label, path.string()));
-  return read_csv_columns(path, columns, most);
+  return read_csv_columns(named_file(*file, label), columns, most);
 }
 
 std::string read_text(const toml::node& node, const std::string& label, const std::vector<std::string>& choices) {
   if (!node.is_string())
     fail_at(node, fmt::format("{} = {} is not allowed: {} takes a text", label, text_of(node), label));
   auto text = *node.value<std::string>();
+  if (text != core::printable(text)) fail_at(node, fmt::format("{} holds a control character; leave it out", label));
   if (!choices.empty() && std::ranges::find(choices, text) == choices.end()) {
     fail_at(node, fmt::format("{}: unknown \"{}\"{}", label, core::excerpt(text), suggestion(text, choices)));
   }

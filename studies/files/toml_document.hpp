@@ -31,9 +31,9 @@ std::string text_of(const toml::node& node);
 /// A whole number, also where it is written as a real one (1e6), as far as doubles hold each of them: up to 2^53.
 std::optional<std::int64_t> whole_number(const toml::node& node);
 
-/// Folder that paths in a node start from: that of its study file; for an override the working directory, as for all
-/// that is typed there.
-std::filesystem::path folder_of(const toml::node& node);
+/// The file that a node names: beside its study file or below it, so that a study from a stranger reads nothing else.
+/// What an override names may lie anywhere, and is looked for from the working directory, as all that is typed there.
+std::filesystem::path named_file(const toml::node& node, const std::string& label);
 
 /// Throws core::InputError with "place: message".
 [[noreturn]] void fail_at(const toml::node& node, const std::string& message);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <map>
-#include <string>
+
+#include "results/schema/places_by_hash.hpp"
 
 namespace ridgeloc::studies {
 
@@ -14,13 +14,10 @@ constexpr std::uint64_t runs_per_share = 16;
 /// The places of the hashes of one list in another, ascending.
 template <class Info>
 std::vector<std::size_t> places_of(const std::vector<Info>& wanted, const std::vector<Info>& all) {
-  std::multimap<std::string, std::size_t> known;
-  for (std::size_t i = 0; i < all.size(); ++i) known.emplace(all[i].hash, i);
+  const results::PlacesByHash known(all);
   std::vector<std::size_t> places;
-  for (const Info& info : wanted) {
-    const auto [begin, end] = known.equal_range(info.hash);
-    for (auto found = begin; found != end; ++found) places.push_back(found->second);
-  }
+  for (const Info& info : wanted)
+    for (const std::size_t place : known.of(info.hash)) places.push_back(place);
   std::ranges::sort(places);
   const auto repeated = std::ranges::unique(places);
   places.erase(repeated.begin(), repeated.end());

@@ -95,7 +95,7 @@ std::vector<std::size_t> choose_cells(const results::Header& header, std::string
   return cells;
 }
 
-const Cell& choose_cell(const Plan& plan, std::string_view text) {
+Cell choose_cell(const Plan& plan, std::string_view text) {
   const results::Header& header = plan.header;
   const std::vector<std::size_t> cells = choose_cells(header, text);
   if (cells.size() == 1) return plan.cells[cells.front()];

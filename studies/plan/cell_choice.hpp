@@ -16,6 +16,6 @@ namespace ridgeloc::studies {
 std::vector<std::size_t> choose_cells(const results::Header& header, std::string_view text);
 
 /// The only cell that a text names. Throws core::InputError, one line, where several are left too.
-const Cell& choose_cell(const Plan& plan, std::string_view text);
+Cell choose_cell(const Plan& plan, std::string_view text);
 
 }  // namespace ridgeloc::studies

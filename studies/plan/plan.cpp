@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -26,83 +25,34 @@ std::string short_hash(const std::string& content) {
   return results::sha256_hex(content).substr(0, short_hash_digits);
 }
 
-/// Groups of axes that move together: each zipped group, and every other axis for itself, by first axis.
-std::vector<std::vector<std::size_t>> axis_groups(const Study& study) {
-  const auto group_of = [&](const std::string& name) {
-    return std::ranges::find_if(study.zip, [&](const auto& g) { return std::ranges::find(g, name) != g.end(); });
-  };
-  std::vector<std::vector<std::size_t>> groups;
-  std::vector<const std::vector<std::string>*> zipped;
-  for (std::size_t a = 0; a < study.sweep.size(); ++a) {
-    const auto zip = group_of(study.sweep[a].setting->name);
-    const auto known = zip == study.zip.end() ? zipped.end() : std::ranges::find(zipped, &*zip);
-    if (known != zipped.end()) {
-      groups[static_cast<std::size_t>(known - zipped.begin())].push_back(a);
-    } else {
-      groups.push_back({a});
-      zipped.push_back(zip == study.zip.end() ? nullptr : &*zip);
-    }
-  }
-  return groups;
-}
-
-/// An axis as results have it, each value once, and where the values of a zipped one stand on it, which may repeat.
-struct DistinctValues {
-  std::vector<Value> values;
-  std::vector<std::size_t> places;  ///< per value of the study's axis
-};
-
-DistinctValues distinct_values(const SweepAxis& axis) {
-  DistinctValues distinct;
-  std::map<std::string, std::size_t> seen;
-  for (const Value& value : axis.values) {
-    const auto [place, is_new] = seen.emplace(to_toml(value), distinct.values.size());
-    if (is_new) distinct.values.push_back(value);
-    distinct.places.push_back(place->second);
-  }
-  return distinct;
-}
-
-bool excluded(const Study& study, const Values& values) {
-  return std::ranges::any_of(study.exclude, [&](const Values& pattern) {
-    return std::ranges::all_of(pattern, [&](const auto& item) { return values.at(item.first) == item.second; });
-  });
-}
-
-std::vector<Cell> make_cells(const Study& study) {
-  const auto groups = axis_groups(study);
-  std::vector<std::size_t> counter(groups.size(), 0);
-  std::vector<std::vector<std::size_t>> places;
-  for (const SweepAxis& axis : study.sweep) places.push_back(distinct_values(axis).places);
-  std::vector<Cell> cells;
-  const auto size = [&](std::size_t g) { return study.sweep[groups[g].front()].values.size(); };
-  for (bool more = true; more;) {
-    Cell cell;
-    cell.index = cells.size();
-    cell.indices.resize(study.sweep.size());
-    cell.values = study.fixed;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      for (const std::size_t a : groups[g]) {
-        cell.indices[a] = places[a][counter[g]];
-        cell.values[study.sweep[a].setting->name] = study.sweep[a].values[counter[g]];
+/// The hashes of cells, which are those of the swept values.
+class CellHashes {
+ public:
+  explicit CellHashes(const Study& study) {
+    for (std::size_t a = 0; a < study.sweep.size(); ++a) {
+      const SweepAxis& axis = study.sweep[a];
+      // By name, so that the order of the axes does not change what a cell is.
+      Lines& lines = axes_[axis.setting->name];
+      lines.axis = a;
+      for (const Value& value : distinct_values(axis).values) {
+        lines.by_value.push_back(fmt::format("{} = {}\n", axis.setting->name, to_toml(value)));
       }
     }
-    // By name, so that the order of the axes does not change what a cell is.
-    std::set<std::string> content;
-    for (const SweepAxis& axis : study.sweep) {
-      content.insert(fmt::format("{} = {}\n", axis.setting->name, to_toml(cell.values[axis.setting->name])));
-    }
-    cell.hash = short_hash(fmt::format("{}", fmt::join(content, "")));
-    if (!excluded(study, cell.values)) cells.push_back(std::move(cell));
-
-    more = false;
-    for (std::size_t g = groups.size(); g-- > 0 && !more;) {
-      more = ++counter[g] < size(g);
-      if (!more) counter[g] = 0;
-    }
   }
-  return cells;
-}
+
+  std::string of(const Cell& cell) const {
+    std::string content;
+    for (const auto& [name, lines] : axes_) content += lines.by_value[cell.indices[lines.axis]];
+    return short_hash(content);
+  }
+
+ private:
+  struct Lines {
+    std::size_t axis = 0;
+    std::vector<std::string> by_value;
+  };
+  std::map<std::string, Lines> axes_;
+};
 
 /// The settings that a method's solver reads, swept ones aside, and those that what the method has chosen leaves
 /// unread.
@@ -120,6 +70,25 @@ std::string method_content(const Study& study, const Method& method) {
     }
   }
   return content;
+}
+
+/// Looks at every cell: refuses what cannot be, and notes what results and users are to know.
+void describe_cells(const Study& study, Plan& plan) {
+  const CellHashes hashes(study);
+  Cell cell = plan.cells[0];
+  plan.header.cells.reserve(plan.cells.size());
+  for (std::size_t number = 0; number < plan.cells.size(); ++number) {
+    plan.cells.move_to(number, cell);
+    try {
+      study.experiment->check(cell.values);
+    } catch (const core::InputError& error) {
+      throw core::InputError(fmt::format("{}: {}", study.name, error.what()));
+    }
+    for (std::string& remark : remarks_on(*study.experiment, cell.values)) {
+      if (std::ranges::find(plan.remarks, remark) == plan.remarks.end()) plan.remarks.push_back(std::move(remark));
+    }
+    plan.header.cells.push_back({hashes.of(cell), cell.indices, bound_of(*study.experiment, cell.values)});
+  }
 }
 
 /// Settings for all methods that have a value of their own and that nothing reads.
@@ -141,7 +110,8 @@ std::vector<std::string> remarks_on_unread(const Study& study) {
   return remarks;
 }
 
-results::Header make_header(const Study& study, const std::vector<Cell>& cells, core::Isa isa) {
+/// All of a header but its cells.
+results::Header make_header(const Study& study, std::size_t cells, core::Isa isa) {
   results::Header header;
   header.isa = core::name_of(isa);
   header.title = study.title;
@@ -155,15 +125,13 @@ results::Header make_header(const Study& study, const std::vector<Cell>& cells, 
   header.block_trials = study.experiment->block_trials();
   header.kept_trials =
       static_cast<std::uint64_t>(study.trial_columns_mib * core::mebibyte /
-                                 static_cast<double>(bytes_per_trial(study)) / static_cast<double>(cells.size()));
+                                 static_cast<double>(bytes_per_trial(study)) / static_cast<double>(cells));
   header.schema = study.experiment->schema();
   for (const SweepAxis& axis : study.sweep) {
     results::Axis out{axis.setting->name, axis.setting->unit, axis.setting->description, {}};
     for (const Value& value : distinct_values(axis).values) out.values.push_back(factor_value(value));
     header.axes.push_back(std::move(out));
   }
-  for (const Cell& cell : cells)
-    header.cells.push_back({cell.hash, cell.indices, bound_of(*study.experiment, cell.values)});
   for (const Method& method : study.methods) {
     const std::string content = method_content(study, method);
     header.methods.push_back({method.label, short_hash(content), content});
@@ -208,24 +176,20 @@ std::string method_hash(const Study& study, const Method& method) {
 Plan make_plan(const Study& study, core::Isa isa) {
   Plan plan;
   plan.isa = isa;
-  plan.cells = make_cells(study);
+  plan.cells = CellGrid(study);
   if (plan.cells.empty()) {
     throw core::InputError(
         fmt::format("{}: sweep.exclude leaves no cell at all; remove one of its tables", study.name));
   }
-  for (std::size_t i = 0; i < plan.cells.size(); ++i) plan.cells[i].index = i;
   plan.remarks = remarks_on_unread(study);
-  for (const Cell& cell : plan.cells) {
-    try {
-      study.experiment->check(cell.values);
-      for (std::string& remark : remarks_on(*study.experiment, cell.values)) {
-        if (std::ranges::find(plan.remarks, remark) == plan.remarks.end()) plan.remarks.push_back(std::move(remark));
-      }
-    } catch (const core::InputError& error) {
-      throw core::InputError(fmt::format("{}: {}", study.name, error.what()));
-    }
+  plan.header = make_header(study, plan.cells.size(), isa);
+  if (plan.cells.size() * plan.header.methods.size() > max_totals) {
+    throw core::InputError(
+        fmt::format("{}: {} cells with {} methods and comparisons each; their product may be {} at most, so cut the "
+                    "study in pieces",
+                    study.name, plan.cells.size(), plan.header.methods.size(), max_totals));
   }
-  plan.header = make_header(study, plan.cells, isa);
+  describe_cells(study, plan);
   return plan;
 }
 

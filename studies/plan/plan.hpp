@@ -6,20 +6,21 @@
 
 #include "core/isa.hpp"
 #include "results/schema/schema.hpp"
+#include "studies/plan/cell_grid.hpp"
 #include "studies/study/study.hpp"
 
 namespace ridgeloc::studies {
 
 /// What a study amounts to: its cells, each cut into blocks, and what the result will say of itself.
 struct Plan {
-  std::vector<Cell> cells;
+  CellGrid cells;
   core::Isa isa = core::Isa::Baseline;  ///< what the blocks are computed with
   results::Header header;
   std::vector<std::string> remarks;  ///< what is worth a word about the settings, each said once
 };
 
-/// Lays a study out. Cells are numbered along the axes, the last axis fastest, zipped axes as one.
-/// Throws core::InputError when `exclude` leaves no cell.
+/// Lays a study out. Throws core::InputError when `exclude` leaves no cell, and where the settings of a cell cannot
+/// stand together.
 Plan make_plan(const Study& study, core::Isa isa = core::Isa::Baseline);
 
 /// The lines "key = value" that the study hash is made of: what changes every number and is neither swept nor a

@@ -82,19 +82,13 @@ std::set<std::set<std::string>> zip_groups(const Study& study) {
 
 /// A pattern stays while it leaves out no cell of either study.
 std::vector<Values> common_exclusions(const Study& study, const Study& other) {
-  const std::vector<Cell> cells = make_plan(study).cells;
-  const std::vector<Cell> others = make_plan(other).cells;
-  const auto leaves_out = [](const Values& pattern, const Cell& cell) {
-    return std::ranges::all_of(pattern, [&](const auto& item) { return cell.values.at(item.first) == item.second; });
-  };
+  const CellGrid cells(study);
+  const CellGrid others(other);
   std::vector<Values> kept;
   const auto keep = [&](const std::vector<Values>& patterns) {
     for (const Values& pattern : patterns) {
-      const auto hits = [&](const Cell& cell) { return leaves_out(pattern, cell); };
-      if (std::ranges::none_of(cells, hits) && std::ranges::none_of(others, hits) &&
-          std::ranges::find(kept, pattern) == kept.end()) {
+      if (!cells.has_any(pattern) && !others.has_any(pattern) && std::ranges::find(kept, pattern) == kept.end())
         kept.push_back(pattern);
-      }
     }
   };
   keep(study.exclude);

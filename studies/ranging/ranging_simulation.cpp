@@ -183,7 +183,7 @@ class RangingSimulation : public Simulation, public FailureRecount, public Trial
   }
 
   StudyKey key_;
-  const Cell& cell_;
+  Cell cell_;
   RangingCell settings_;
   solvers::SolverOptions scene_options_;
   std::vector<PreparedMethod> methods_;

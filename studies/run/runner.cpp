@@ -148,12 +148,12 @@ bool Run::compute_block(std::size_t cell, std::uint64_t block, std::size_t worke
 }
 
 void Run::compute_piece(const Stretch& piece, std::size_t worker) {
-  const Cell& cell = plan_.cells[assignment_.cells[piece.place]];
+  const std::size_t cell = assignment_.cells[piece.place];
   std::vector<results::BlockSink> done;
   auto handed_over = std::chrono::steady_clock::now();
   for (std::uint64_t block = piece.first; block < piece.end && !stop_.load(std::memory_order_relaxed); ++block) {
     if (!assignment_.contains(piece.place, block)) continue;
-    if (!compute_block(cell.index, block, worker, done)) break;
+    if (!compute_block(cell, block, worker, done)) break;
     if (!done.empty() && core::seconds_since(handed_over) > hand_over_s) {
       writer_.add(std::exchange(done, {}));
       handed_over = std::chrono::steady_clock::now();

@@ -26,11 +26,12 @@ const StopRounds::Known& StopRounds::known(std::size_t place, std::uint64_t bloc
   const std::size_t cell = assignment_.cells[place];
   std::vector<results::Statistics> statistics;
   double cost = 0.0;
+  const Cell settings = plan_.cells[cell];
   for (std::size_t m = 0; m < plan_.header.methods.size(); ++m) {
     statistics.push_back(finished_.statistics(cell, m));
     // Without methods an experiment reports under its labels alone, and these are what runs.
     const bool runs = study_.methods.empty() ? !plan_.header.methods[m].difference : m < study_.methods.size();
-    if (runs) cost += cost_of(*study_.experiment, plan_.cells[cell].values, statistics.back());
+    if (runs) cost += cost_of(*study_.experiment, settings.values, statistics.back());
   }
   known = {blocks, cost, precision_of(*study_.stop, plan_.header, statistics)};
   return known;

@@ -27,7 +27,6 @@ struct Method {
 /// One point of the sweep grid: the value of every setting of the experiment, swept ones included.
 struct Cell {
   std::size_t index = 0;
-  std::string hash;                  ///< of the swept values
   std::vector<std::size_t> indices;  ///< per axis
   Values values;
 };
@@ -126,7 +125,8 @@ class Experiment {
   virtual std::unique_ptr<Workspace> make_workspace(core::Isa isa) const { return std::make_unique<Workspace>(isa); }
 
   /// Makes what all blocks of a cell need. `methods` are empty for an experiment that offers no choice of solvers. The
-  /// cell must outlive the simulation. Throws core::InputError where the settings turn out to be impossible.
+  /// study must outlive the simulation, since large values (maps, samples) are shared with it; the cell need not.
+  /// Throws core::InputError where the settings turn out to be impossible.
   virtual std::unique_ptr<const Simulation> prepare(const StudyKey& key, const Cell& cell,
                                                     std::span<const Method> methods) const = 0;
 };

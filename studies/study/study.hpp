@@ -45,5 +45,10 @@ struct Study {
 /// Bounds of the settings that every study has.
 inline constexpr std::uint64_t max_trials = 1'000'000'000'000;
 inline constexpr std::size_t max_cells = 1'000'000;
+inline constexpr std::size_t max_methods = 1'000;
+inline constexpr std::size_t max_exclusions = 1'000;
+
+/// Cells times methods, comparisons among them: each such pair has totals of its own.
+inline constexpr std::size_t max_totals = 20'000'000;
 
 }  // namespace ridgeloc::studies

@@ -25,12 +25,22 @@ solver = "ols"
 solver = "linear"
 )";
 
+/// Waits until a run says how far it is.
+const std::string until_begun = "until ls s.h5.parts/run.txt > nothing 2>&1; do sleep 0.05; done; ";
+
 /// A folder `disk` with a file system of its own, which the commands of one script see. Needs no rights where users
 /// may have their own name spaces.
 Outcome on_own_disk(const WorkingFolder& folder, const std::string& size, const std::string& script) {
   folder.write("script.sh", "set -e\nmkdir disk\nmount -t tmpfs -o size=" + size + " none disk\n" +
                                 "ridgeloc() { '" RIDGELOC_PROGRAM "' \"$@\"; }\nset +e\n" + script);
   return folder.shell("unshare --map-root-user --mount sh script.sh");
+}
+
+/// The beginning of a call of the program where the file system cannot do something, and says so by an error.
+std::string on_odd_file_system(const std::string& what, int error) {
+  // Where the program brings a sanitizer it must be told that another library comes first.
+  return "ASAN_OPTIONS=verify_asan_link_order=0 " + what + "=" + std::to_string(error) +
+         " LD_PRELOAD='" ODD_FILE_SYSTEM "' '" RIDGELOC_PROGRAM "' ";
 }
 
 bool has_own_disks() {
@@ -253,9 +263,7 @@ TEST_CASE("a file-size limit that parts keep and the result exceeds leaves the p
 TEST_CASE("a file system that cannot synchronize folders is written to all the same, and one that fails is not") {
   const WithStudy folder(study);
   const auto call = [&](int error, const std::string& arguments) {
-    // Where the program brings a sanitizer it must be told that another library comes first.
-    return folder.shell("ASAN_OPTIONS=verify_asan_link_order=0 FOLDER_SYNC_ERROR=" + std::to_string(error) +
-                        " LD_PRELOAD='" UNSYNCED_FOLDERS "' '" RIDGELOC_PROGRAM "' " + arguments);
+    return folder.shell(on_odd_file_system("FOLDER_SYNC_ERROR", error) + arguments);
   };
   for (const int error : {EINVAL, EBADF, EOPNOTSUPP, ENOSYS}) {
     CHECK(call(error, "run s.toml --trials 500").exit_code == 0);
@@ -266,6 +274,49 @@ TEST_CASE("a file system that cannot synchronize folders is written to all the s
   const Outcome failed = call(EIO, "run s.toml --trials 500");
   CHECK(failed.exit_code == 3);
   CHECK(contains(failed.error, "cannot flush"));
+}
+
+TEST_CASE("runs are kept apart where nothing can be locked but what is open for writing, as on NFS") {
+  const WithStudy folder(study);
+  const std::string program = on_odd_file_system("READ_ONLY_LOCK_ERROR", EBADF);
+  const Outcome outcome = folder.shell(program + "run s.toml --trials 1e10 2> first & run=$!; " + until_begun +
+                                       program + "run s.toml; echo $?; kill -TERM $run; wait $run; echo $?");
+  INFO(outcome.error);
+  CHECK(outcome.out == "2\n4\n");
+  CHECK(line_count(outcome.error) == 1);
+  CHECK(contains(outcome.error, "another run is writing to s.h5.parts; wait for it"));
+  CHECK_FALSE(contains(folder.read("first"), "no locks"));
+}
+
+TEST_CASE("where there are no locks that is said, and a second run is refused by what the first says of itself") {
+  const WithStudy folder(study);
+  const std::string program = on_odd_file_system("LOCK_ERROR", ENOLCK);
+  const Outcome outcome = folder.shell(program + "run s.toml --trials 1e10 2> first & run=$!; " + until_begun +
+                                       program + "run s.toml; echo $?; kill -TERM $run; wait $run; echo $?");
+  INFO(outcome.error);
+  CHECK(outcome.out == "2\n4\n");
+  CHECK(line_count(outcome.error) == 1);
+  CHECK(contains(outcome.error, "seems to be writing there, "));
+  CHECK(contains(outcome.error, " s ago, and this file system has no locks; wait for it, stop it, or choose another"));
+  const std::string first = folder.read("first");
+  INFO(first);
+  CHECK(contains(first,
+                 "warning: s.h5: this file system has no locks (No locks available); see to it that no other run"));
+  CHECK(contains(first, "The same command goes on from there."));
+  // Whoever was stopped is nobody to wait for.
+  CHECK(folder.shell(program + "run s.toml --trials 1000").exit_code == 0);
+}
+
+TEST_CASE("where there are no locks a run that another one has come upon ends before it writes") {
+  const WithStudy folder(study);
+  const std::string program = on_odd_file_system("LOCK_ERROR", ENOLCK);
+  const Outcome outcome = folder.shell(program + "run s.toml --trials 1e10 & run=$!; " + until_begun +
+                                       "echo other > s.h5.parts/lock; wait $run");
+  INFO(outcome.error);
+  CHECK(outcome.exit_code == 3);
+  CHECK(
+      contains(outcome.error, "s.h5.parts was taken by another run meanwhile, which file locks would have kept away"));
+  CHECK(folder.read("s.h5.parts/lock") == "other\n");
 }
 
 TEST_CASE("a locked result and too little memory are called what they are") {

@@ -3,9 +3,9 @@
 #include <sstream>
 
 #include "core/error.hpp"
-#include "results/store/parts_folder.hpp"
+#include "results/store/part.hpp"
+#include "results/store/provenance.hpp"
 #include "results/store/result_file.hpp"
-#include "results/store/result_writer.hpp"
 #include "results/summary/completeness.hpp"
 #include "results/tables/csv.hpp"
 #include "results/tables/table.hpp"
@@ -16,12 +16,15 @@ using namespace results;
 
 namespace {
 
+/// Whether the reader has taken its input.
 template <typename Read>
-void attempt(Read&& read) {
+bool attempt(Read&& read) {
   try {
     read();
   } catch (const core::InputError&) {
+    return false;
   }
+  return true;
 }
 
 }  // namespace
@@ -30,26 +33,22 @@ void read_everything(const std::filesystem::path& result) {
   std::ostringstream out;
   attempt([&] { read_completely(result); });  // the digest of the data and the ledger among all else
   attempt([&] { contributions_of(result); });
-  attempt([&] {
-    const Summary summary = read_result(result);
-    out << summary_table(summary) << completeness_text(summary);
-    write_summary_csv(summary, out);
-  });
-  attempt([&] { write_failures_csv(read_result_header(result), read_result_failures(result), out); });
-  attempt([&] {
-    const Header header = read_result_header(result);
-    for (std::size_t cell = 0; cell < header.cells.size(); ++cell)
-      for (std::size_t method = 0; method < header.methods.size(); ++method)
-        write_trials_csv(header, cell, method, read_trials(result, cell, method), out);
-  });
+  Snapshot snapshot;
+  if (!attempt([&] { snapshot = read_sealed(result); })) return;
+  const Summary summary = summarize(snapshot);
+  out << summary_table(summary) << completeness_text(summary);
+  write_summary_csv(summary, out);
+  write_failures_csv(snapshot.header, snapshot.failures, out);
+  if (!attempt([&] { read_all_trials(result); }) || snapshot.header.cells.empty()) return;
+  for (std::size_t method = 0; method < snapshot.header.methods.size(); ++method)
+    write_trials_csv(snapshot.header, 0, method, read_trials(result, 0, method), out);
 }
 
-void continue_from_parts(const std::filesystem::path& result) {
+void read_part(const std::filesystem::path& part) {
   try {
-    const std::vector<Header> headers = headers_at(result);
-    if (headers.empty()) return;
-    ResultWriter writer(result, headers.front());
-    writer.seal({});
+    const Header header = read_part_header(part);
+    const BlockSource source = read_part_blocks(part, header);
+    read_columns(part, header.schema, source.columns);
   } catch (const core::InputError&) {
   } catch (const core::IoError&) {
   }

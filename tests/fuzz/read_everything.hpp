@@ -8,8 +8,8 @@ namespace ridgeloc::tests {
 /// nothing else.
 void read_everything(const std::filesystem::path& result);
 
-/// Goes on from the parts beside a result as `ridgeloc run` does, and seals them if they are complete enough. That may
-/// throw core::IoError too.
-void continue_from_parts(const std::filesystem::path& result);
+/// Reads all of a part, as whoever goes on from it does. That may throw core::IoError too, which says that it is
+/// damaged.
+void read_part(const std::filesystem::path& part);
 
 }  // namespace ridgeloc::tests

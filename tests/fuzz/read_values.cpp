@@ -7,12 +7,15 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "core/error.hpp"
 #include "results/hdf5/hdf5.hpp"
+#include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/read_everything.hpp"
 #include "tests/support/sample_result.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -160,22 +163,24 @@ void mend_digests(const fs::path& path) {
   H5Fclose(file);
 }
 
-/// A sample to start from, made once.
-const fs::path& sample() {
-  static const tests::ScratchFolder folder;
-  static const fs::path path = [] {
-    tests::write_sample(folder / "sample.h5", tests::sample_header());
-    return folder / "sample.h5";
-  }();
-  return path;
+/// A small sample to start from.
+std::vector<char> sample() {
+  const tests::ScratchFolder folder;
+  Header header = tests::sample_header();
+  header.cells.resize(2);
+  header.trials = header.block_trials + 2;
+  tests::write_sample(folder / "sample.h5", header);
+  std::ifstream file(folder / "sample.h5", std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const tests::ScratchFolder folder;
-  const fs::path path = folder / "result.h5";
-  fs::copy_file(sample(), path);
+  static const std::vector<char> whole = sample();
+  static const tests::MemoryFile memory;
+  memory.write(whole);
+  const fs::path path = memory.path();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   Input input(data, size);

@@ -76,7 +76,7 @@ class Coverage {
     const Study study = read_study(find_study(name), std::vector<std::string>{"audit=0"});
     const Plan plan = make_plan(study);
     for (const std::size_t cell : cells) {
-      const tests::PreparedCell prepared(study, plan.cells.at(cell), plan.isa);
+      const tests::PreparedCell prepared(study, plan.cells[cell], plan.isa);
       std::map<std::pair<std::size_t, std::string>, Bars> bars;
       std::vector<results::Statistics> whole(plan.header.methods.size());
       for (std::uint64_t r = 0; r < repeats; ++r) {

@@ -1,10 +1,6 @@
 #include "results/util/file_system.hpp"
 
-#include <atomic>
-#include <chrono>
 #include <fstream>
-#include <memory>
-#include <thread>
 
 #include "core/error.hpp"
 #include "tests/support/catch.hpp"
@@ -101,27 +97,4 @@ TEST_CASE("publishing what is not there is an error") {
   TemporaryFile nothing(folder / "result.h5");
   fs::remove(nothing.path());
   CHECK_THROWS_AS(nothing.publish(), core::IoError);
-}
-
-TEST_CASE("a folder is locked by one holder at a time") {
-  const tests::ScratchFolder folder;
-  {
-    const FolderLock lock(folder.path());
-    CHECK_THROWS_AS(FolderLock(folder.path()), core::InputError);
-  }
-  CHECK_NOTHROW(FolderLock(folder.path()));
-}
-
-TEST_CASE("who asks for a lock gets it from a holder that is ending") {
-  const tests::ScratchFolder folder;
-  auto held = std::make_unique<FolderLock>(folder.path());
-  std::atomic<bool> asked{false};
-  std::jthread ending([&] {
-    asked.wait(false);
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    held.reset();
-  });
-  asked = true;
-  asked.notify_one();
-  CHECK_NOTHROW(FolderLock(folder.path()));
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 
 #include "sim/range_noise.hpp"
@@ -6,6 +7,7 @@
 #include "studies/plan/plan.hpp"
 #include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/valid_study.hpp"
 
@@ -14,6 +16,7 @@ using namespace ridgeloc::studies;
 using tests::error_of;
 using tests::read;
 using tests::with;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -62,7 +65,7 @@ TEST_CASE("each bad list or file of samples gets one line") {
   const Residuals residuals;
   const std::string folder = residuals.folder.path().string() + "/";
   const auto file = [&](const std::string& name, const std::string& column) {
-    return samples("{ file = \"" + folder + name + "\", column = \"" + column + "\" }");
+    return samples("{ file = \"" + name + "\", column = \"" + column + "\" }");
   };
   const std::vector<std::pair<std::string, std::string>> cases = {
       {noise("noise_model = \"empirical\"\n"),
@@ -97,11 +100,40 @@ TEST_CASE("each bad list or file of samples gets one line") {
        "demo.toml:4: noise.noise_dof = 2 is not allowed: noise.noise_dof takes a number from 2.1"},
   };
   for (const auto& [text, message] : cases) {
-    const std::string error = error_of(text);
+    const std::string error = tests::refusal_of([&, study = text] {
+      read_study({"demo", folder + "demo.toml", study});
+    });
     INFO(text << "\n-> " << error);
     CHECK(error.find(message) != std::string::npos);
     CHECK(error.find('\n') == std::string::npos);
   }
+}
+
+TEST_CASE("a study names no file outside of its folder, the command line any") {
+  const Residuals residuals;
+  const fs::path folder = residuals.folder / "inner";
+  fs::create_directory(folder);
+  fs::create_symlink(residuals.folder / "residuals.csv", folder / "link.csv");
+  fs::copy_file(residuals.folder / "residuals.csv", residuals.folder / "inner.csv");
+  const auto error_of_file = [&](const std::string& name, const std::string& origin) {
+    const std::string study = samples("{ file = \"" + name + "\", column = \"e_m\" }");
+    return tests::refusal_of([&] { read_study({"demo", origin, study}); });
+  };
+  const std::string origin = (folder / "demo.toml").string();
+  const std::string outside = (residuals.folder / "residuals.csv").string();
+  for (const std::string& name : {outside, std::string("../residuals.csv"), std::string("link.csv"),
+                                  std::string("../inner.csv"), std::string("../inner/../residuals.csv")}) {
+    const std::string error = error_of_file(name, origin);
+    INFO(name << ": " << error);
+    CHECK(tests::lacking(error, {"demo.toml:5: noise.noise_samples.file: ",
+                                 " lies neither beside the study nor below; "
+                                 "move it there, or name it on the command line, with --set"}) == "");
+  }
+  fs::copy_file(residuals.folder / "residuals.csv", folder / "own.csv");
+  CHECK(error_of_file("own.csv", origin).empty());
+  CHECK(error_of_file("./own.csv", origin).empty());
+  CHECK(error_of_file((folder / "own.csv").string(), origin).empty());
+  CHECK(error_of_file("inner/own.csv", (residuals.folder / "demo.toml").string()).empty());
 }
 
 TEST_CASE("settings that nothing reads may stand in their section, and may be swept where something reads them") {

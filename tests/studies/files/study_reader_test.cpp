@@ -191,3 +191,14 @@ TEST_CASE("a study that is not there names the nearest one in the catalog") {
         "fig3: no such study file, and no study of that name in the catalog (did you mean \"fig3a\"?)");
   CHECK(find_study("fig3a").name == "fig3a");
 }
+
+TEST_CASE("a text with what a terminal takes for a command is refused, one of several lines is not") {
+  const auto titled = [](const std::string& title) {
+    return tests::error_of("title = " + title + "\n" + tests::valid);
+  };
+  for (const char* title : {"\"\\u001b]0;x\\u0007\"", "\"a\\rb\"", "\"\\u009b31m\"", "\"\\u0000\""})
+    CHECK(titled(title) == "demo.toml:1: title holds a control character; leave it out");
+  CHECK(titled("\"\"\"\r\na\r\n\tb\"\"\"").empty());
+  // What is called after its file is shown without them.
+  CHECK(read_study({"a\x1b", "a.toml", tests::valid}).title == "a?");
+}

@@ -6,6 +6,7 @@
 #include "studies/plan/assignment.hpp"
 #include "studies/registry.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/message_of.hpp"
 
 using namespace ridgeloc;
 using namespace ridgeloc::studies;
@@ -32,7 +33,7 @@ TEST_CASE("axes are crossed, the last one fastest") {
   CHECK(std::get<std::int64_t>(p.cells[3].values.at("points")) == 5);
   CHECK(std::get<double>(p.cells[2].values.at("range_sigma_m")) == 0.3);
   std::set<std::string> hashes;
-  for (const Cell& cell : p.cells) hashes.insert(cell.hash);
+  for (const results::CellInfo& cell : p.header.cells) hashes.insert(cell.hash);
   CHECK(hashes.size() == 6);
 }
 
@@ -41,8 +42,45 @@ TEST_CASE("zipped axes move together and excluded cells are left out") {
       "points = [3, 5, 7]\nrange_sigma_m = [0.1, 0.2, 0.3]\nstart_offset_m = [1, 5]\n"
       "zip = [[\"points\", \"range_sigma_m\"]]\nexclude = [{ points = 5, start_offset_m = 1.0 }]");
   REQUIRE(p.cells.size() == 5);
-  for (const Cell& cell : p.cells) CHECK(cell.indices[0] == cell.indices[2]);
-  CHECK(p.cells[4].index == 4);
+  for (std::size_t i = 0; i < p.cells.size(); ++i) {
+    const Cell cell = p.cells[i];
+    CHECK(cell.index == i);
+    CHECK(cell.indices == p.header.cells[i].indices);
+    CHECK(cell.indices[0] == cell.indices[2]);
+    CHECK_FALSE((cell.values.at("points") == Value(std::int64_t{5}) && cell.values.at("start_offset_m") == Value(1.0)));
+  }
+}
+
+TEST_CASE("each cell of a grid has what it has alone, also where cells are left out") {
+  const std::string axes = "points = [3, 5]\nrange_sigma_m = [0.1, 0.2, 0.3]\n";
+  for (const char* exclude : {"", "exclude = [{ points = 3, range_sigma_m = 0.2 }, { range_sigma_m = 0.3 }]"}) {
+    const CellGrid grid(swept_study(axes + exclude));
+    Cell moved = grid[grid.size() - 1];
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      grid.move_to(i, moved);
+      CHECK(moved.index == i);
+      CHECK(moved.indices == grid[i].indices);
+      CHECK(moved.values == grid[i].values);
+    }
+    CHECK(grid.size() == (*exclude == 0 ? 6U : 3U));
+    CHECK(grid.has_any({{"points", std::int64_t{3}}, {"range_sigma_m", 0.2}}) == (*exclude == 0));
+    CHECK(grid.has_any({{"points", std::int64_t{3}}, {"range_sigma_m", 0.1}}));
+    CHECK_FALSE(grid.has_any({{"points", std::int64_t{4}}}));
+  }
+  CHECK(CellGrid(swept_study(axes + "exclude = [{ points = 3 }, { points = 5 }]")).empty());
+}
+
+TEST_CASE("a study of more totals than can be held is refused") {
+  std::string methods;
+  for (int i = 0; i < 30; ++i) methods += "[[method]]\nsolver = \"lm\"\nname = \"m" + std::to_string(i) + "\"\n";
+  const std::string axes =
+      "[sweep]\npoints = { from = 3, to = 1000, step = 1 }\nrange_sigma_m = { from = 0.001, to = 1, step = 0.001 }\n";
+  const auto message = tests::refusal_of([&] {
+    make_plan(read_study({"demo", "demo.toml", "experiment = \"ranging\"\n" + axes + methods}));
+  });
+  CHECK(
+      tests::lacking(message, {"demo: 998000 cells with 60 methods and comparisons each; their product may be 20000000",
+                               "cut the study in pieces"}) == "");
 }
 
 TEST_CASE("zipped axes may repeat values, which stand once on the axis of the result") {
@@ -112,7 +150,7 @@ TEST_CASE("cells know what their bounds are good for") {
 TEST_CASE("a cell's hash is that of its values, wherever it stands in the grid") {
   const Plan narrow = plan("points = [5]\nrange_sigma_m = [0.3]");
   const Plan wide = plan("points = [3, 5]\nrange_sigma_m = [0.1, 0.3, 0.5]");
-  CHECK(narrow.cells[0].hash == wide.cells[4].hash);
+  CHECK(narrow.header.cells[0].hash == wide.header.cells[4].hash);
 }
 
 TEST_CASE("a method's hash is that of the settings its solver reads") {

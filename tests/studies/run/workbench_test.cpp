@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/registry.hpp"
+#include "studies/study/setting_builders.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace ridgeloc;
@@ -57,7 +58,9 @@ struct Slow : Experiment {
 struct Bench {
   Bench() {
     study.experiment = &experiment;
-    for (std::size_t i = 0; i < 3; ++i) plan.cells.push_back({.index = i, .hash = {}, .indices = {}, .values = {}});
+    static const Setting bench = Section("").integer("bench", 0, {0, 2}, "");
+    study.sweep = {{&bench, {std::int64_t{0}, std::int64_t{1}, std::int64_t{2}}}};
+    plan.cells = CellGrid(study);
     made = 0;
     most_at_once = 0;
   }
