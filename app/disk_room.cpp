@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 constexpr double bytes_of_row = 20e3;
 
 /// For the trials from which room is forecast where it may be too little.
-constexpr double pilot_budget_s = 0.2;
+constexpr double forecast_budget_s = 0.2;
 
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -167,7 +167,7 @@ void require_room(const Job& job, const results::ResultWriter& writer) {
   const studies::Assignment work = work_of(job, writer);
   if (2.0 * most_bytes(job, work) + there <= free) return;
 
-  studies::Pilot pilot = studies::run_pilot(job.study, job.plan, pilot_budget_s, *studies::thread_queue(1));
+  studies::Pilot pilot = studies::run_pilot(job.study, job.plan, forecast_budget_s, *studies::thread_queue(1));
   std::vector<double> bytes_of_trial(job.plan.header.methods.size(), 0.0);
   if (job.plan.header.kept_trials > 0) {
     for (const results::TrialColumns& columns : pilot.columns)

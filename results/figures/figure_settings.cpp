@@ -10,8 +10,6 @@
 namespace ridgeloc::results {
 namespace {
 
-constexpr std::size_t method_dimension = FigureNames::method_dimension;
-
 bool contains(const std::vector<std::size_t>& dimensions, std::size_t dimension) {
   return std::ranges::find(dimensions, dimension) != dimensions.end();
 }
@@ -34,7 +32,7 @@ FigureSettings::FigureSettings(const Header& header, const FigureNames& names)
   if (names.x) find_companions(*names.x);
   for (const Key* dimensions : {&names.group, &names.facet})
     for (const std::size_t axis : *dimensions)
-      if (axis != method_dimension) find_companions(axis);
+      if (axis != FigureNames::method_dimension) find_companions(axis);
 }
 
 void FigureSettings::find_companions(std::size_t axis) {
@@ -60,7 +58,7 @@ FigureSettings::Companion FigureSettings::companion(std::size_t axis, std::size_
 FigureSettings::Key FigureSettings::key(std::size_t cell, std::size_t method, const Key& dimensions) const {
   Key result;
   for (const std::size_t dimension : dimensions)
-    result.push_back(dimension == method_dimension ? method : header_.cells[cell].indices[dimension]);
+    result.push_back(dimension == FigureNames::method_dimension ? method : header_.cells[cell].indices[dimension]);
   return result;
 }
 
@@ -73,7 +71,7 @@ std::string FigureSettings::value(std::size_t axis, std::size_t value) const {
 }
 
 std::string FigureSettings::setting(std::size_t dimension, std::size_t value) const {
-  if (dimension == method_dimension) return header_.methods[value].label;
+  if (dimension == FigureNames::method_dimension) return header_.methods[value].label;
   std::string text = fmt::format("{} = {}", header_.axes[dimension].name, this->value(dimension, value));
   const auto companions = companions_.find(dimension);
   if (companions == companions_.end()) return text;
