@@ -41,7 +41,8 @@ std::optional<std::size_t> line_of_deep_key(std::string_view text) {
     }
     if (ends_of_keys.find(c) != std::string_view::npos) parts = 1;
     if (c == '.' && ++parts > most_key_parts)
-      return 1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(i), '\n'));
+      return 1 +
+             static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(i), '\n'));
     ++i;
   }
   return std::nullopt;
