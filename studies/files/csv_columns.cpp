@@ -23,9 +23,11 @@ constexpr std::size_t most_mib = 256;
 std::size_t position_of(const std::string& column, const std::vector<std::string>& names, const std::string& place) {
   const auto found = std::ranges::find(names, column);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  const std::string nearest = nearest_name(column, names);
-  throw core::InputError(fmt::format("{}: no column \"{}\"{}", place, column,
-                                     nearest.empty() ? fmt::format(" (there are: {})", fmt::join(names, ", "))
+  const std::string nearest = core::excerpt(nearest_name(column, names));
+  std::vector<std::string> shown;
+  for (const std::string& name : names) shown.push_back(core::excerpt(name));
+  throw core::InputError(fmt::format("{}: no column \"{}\"{}", place, core::excerpt(column),
+                                     nearest.empty() ? fmt::format(" (there are: {})", fmt::join(shown, ", "))
                                                      : fmt::format(" (did you mean \"{}\"?)", nearest)));
 }
 

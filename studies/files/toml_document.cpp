@@ -14,6 +14,7 @@
 #include "core/excerpt.hpp"
 #include "core/printable.hpp"
 #include "studies/files/csv_columns.hpp"
+#include "studies/files/toml_keys.hpp"
 
 namespace ridgeloc::studies {
 
@@ -24,6 +25,8 @@ namespace fs = std::filesystem;
 constexpr std::string_view override_prefix = "--set ";
 
 toml::table parse(std::string_view text, const std::string& origin) {
+  if (const auto line = line_of_deep_key(text))
+    throw core::InputError(fmt::format("{}:{}: a key has more than {} parts", origin, *line, most_key_parts));
   try {
     return toml::parse(text, origin);
   } catch (const toml::parse_error& error) {
@@ -75,6 +78,8 @@ void apply_override(toml::table& document, const std::string& text) {
     throw core::InputError(fmt::format("{}: expected KEY=VALUE, for example scene.depth_m=[2,15]", origin));
   }
   const std::string path = text.substr(0, equals);
+  if (line_of_deep_key(text))
+    throw core::InputError(fmt::format("{}: a key has more than {} parts", origin, most_key_parts));
   const std::string value = text.substr(equals + 1);
 
   toml::table parsed;

@@ -13,3 +13,7 @@ TEST_CASE("texts are echoed whole up to 60 bytes, and cut between characters") {
   CHECK(excerpt(std::string(59, 'a') + "µm") == std::string(59, 'a') + "...");
   CHECK(excerpt(std::string(58, 'a') + "µm") == std::string(58, 'a') + "µ...");
 }
+
+TEST_CASE("texts are echoed in one line, without what a terminal takes for a command") {
+  CHECK(excerpt("a\n\tb\x1b") == "a  b?");
+}

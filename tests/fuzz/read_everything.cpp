@@ -1,5 +1,6 @@
 #include "tests/fuzz/read_everything.hpp"
 
+#include <optional>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -33,15 +34,16 @@ void read_everything(const std::filesystem::path& result) {
   std::ostringstream out;
   attempt([&] { read_completely(result); });  // the digest of the data and the ledger among all else
   attempt([&] { contributions_of(result); });
-  Snapshot snapshot;
+  std::optional<Snapshot> snapshot;
   if (!attempt([&] { snapshot = read_sealed(result); })) return;
-  const Summary summary = summarize(snapshot);
+  const Header& header = snapshot->header;
+  const Summary summary = summarize(*snapshot);
   out << summary_table(summary) << completeness_text(summary);
   write_summary_csv(summary, out);
-  write_failures_csv(snapshot.header, snapshot.failures, out);
-  if (!attempt([&] { read_all_trials(result); }) || snapshot.header.cells.empty()) return;
-  for (std::size_t method = 0; method < snapshot.header.methods.size(); ++method)
-    write_trials_csv(snapshot.header, 0, method, read_trials(result, 0, method), out);
+  write_failures_csv(header, snapshot->failures, out);
+  if (!attempt([&] { read_all_trials(result); }) || header.cells.empty()) return;
+  for (std::size_t method = 0; method < header.methods.size(); ++method)
+    write_trials_csv(header, 0, method, read_trials(result, 0, method), out);
 }
 
 void read_part(const std::filesystem::path& part) {

@@ -1,5 +1,6 @@
 // Any text as a map of a building: it is refused in one line, or written as it reads.
 
+#include "studies/files/map_reader.hpp"
 #include "studies/files/toml_document.hpp"
 #include "studies/study/setting_builders.hpp"
 #include "tests/fuzz/refused.hpp"

@@ -102,3 +102,8 @@ TEST_CASE("files of spreadsheets have semicolons or tabulators, and decimal comm
 TEST_CASE("a file that is not there is an error") {
   CHECK_THROWS_AS(studies::read_csv_columns("/nowhere/residuals.csv", {"e_m"}, 9), core::InputError);
 }
+
+TEST_CASE("names and cells of several lines are quoted in one") {
+  CHECK(csv_error_of("x,e\n1,\"a\nb\"\n", "e") == ":2: \"a b\" in column \"e\" is not a number");
+  CHECK(csv_error_of("\"x\ny\",zzz\n1,2\n", "e_m") == ":1: no column \"e_m\" (there are: x y, zzz)");
+}
