@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 namespace {
 
 fs::path first_part(const fs::path& path) {
-  return *fs::directory_iterator(parts_folder(path));
+  return content_of(parts_folder(path)).parts.front();
 }
 
 /// Changes one bit of the first place where a value stands in a file.
