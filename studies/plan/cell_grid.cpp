@@ -1,6 +1,7 @@
 #include "studies/plan/cell_grid.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -29,6 +30,8 @@ std::vector<std::vector<std::size_t>> axis_groups(const Study& study) {
   return groups;
 }
 
+constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+
 /// A pattern of `exclude`: on some axes the place of a value.
 using Pattern = std::vector<std::pair<std::size_t, std::size_t>>;
 
@@ -38,8 +41,10 @@ Pattern pattern_of(const Values& values, const std::vector<SweepAxis>& sweep,
   for (std::size_t a = 0; a < sweep.size(); ++a) {
     const auto value = values.find(sweep[a].setting->name);
     if (value == values.end()) continue;
-    const auto number = std::ranges::find(sweep[a].values, value->second) - sweep[a].values.begin();
-    pattern.emplace_back(a, places[a][static_cast<std::size_t>(number)]);
+    const auto found = std::ranges::find(sweep[a].values, value->second);
+    const auto number = static_cast<std::size_t>(found - sweep[a].values.begin());
+    // What the axis has not, fits no cell.
+    pattern.emplace_back(a, found == sweep[a].values.end() ? nowhere : places[a][number]);
   }
   return pattern;
 }
