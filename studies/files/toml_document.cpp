@@ -100,11 +100,12 @@ void apply_override(toml::table& document, const std::string& text) {
   place(*node, path.substr(begin), std::move(*parsed.get("value")), origin);
 }
 
-/// A finite number, whole or not.
+/// A finite number, whole or not. -0.0, which is equal to 0.0 and would be another text, is 0.0.
 std::optional<double> number_of(const toml::node& node) {
   if (!node.is_number()) return std::nullopt;
   const double value = *node.value<double>();
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+  if (!std::isfinite(value)) return std::nullopt;
+  return value == 0.0 ? 0.0 : value;
 }
 
 /// As an array or table of the document has it, in one line.
