@@ -37,8 +37,9 @@ double crossed_cells(const Study& study) {
 void refuse_too_many_cells(const Study& study) {
   const double cells = crossed_cells(study);
   if (cells <= static_cast<double>(max_cells)) return;
-  throw core::InputError(fmt::format("{}: its sweep crosses to {:.0f} cells; at most {} are allowed, so cut it in pieces",
-                                     study.name, cells, max_cells));
+  throw core::InputError(
+      fmt::format("{}: its sweep crosses to {:.0f} cells; at most {} are allowed, so cut it in pieces", study.name,
+                  cells, max_cells));
 }
 
 }  // namespace ridgeloc::studies
