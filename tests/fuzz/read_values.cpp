@@ -183,6 +183,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const fs::path path = memory.path();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  if (file < 0) __builtin_trap();  // the sample itself
   Input input(data, size);
   for (int changes = 0; input.has_more() && changes < 8; ++changes) {
     const Objects objects = objects_of(file);
