@@ -182,11 +182,13 @@ fs::path folder_of(const toml::node& node) {
   return fs::path(*source.path).parent_path();
 }
 
-/// Whether a path lies outside of a folder when all its links are followed.
+/// Whether a path lies outside of a folder when all its links are followed, or they cannot be followed.
 bool leads_out(const fs::path& folder, const fs::path& path) {
-  std::error_code unknown;
-  const fs::path inside = fs::weakly_canonical(folder.empty() ? "." : folder, unknown);
-  const fs::path whole = fs::weakly_canonical(path, unknown);
+  std::error_code folder_unknown;
+  std::error_code path_unknown;
+  const fs::path inside = fs::weakly_canonical(folder.empty() ? "." : folder, folder_unknown);
+  const fs::path whole = fs::weakly_canonical(path, path_unknown);
+  if (folder_unknown || path_unknown) return true;
   return std::ranges::mismatch(inside, whole).in1 != inside.end();
 }
 
