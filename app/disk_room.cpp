@@ -17,6 +17,7 @@
 #include "results/store/parts_folder.hpp"
 #include "studies/plan/plan.hpp"
 #include "studies/run/pilot.hpp"
+#include "studies/run/stop_rounds.hpp"
 #include "studies/study/capabilities.hpp"
 #include "studies/study/stop_rule.hpp"
 
@@ -94,7 +95,7 @@ Missing missing_of(const Job& job, const studies::Assignment& work, const result
 double affordable_trials(const Job& job, const studies::Pilot& pilot) {
   std::map<std::size_t, double> costs;  // of a trial, by cell
   for (const results::Row& row : pilot.rows) {
-    if (row.method >= job.study.methods.size()) continue;
+    if (!studies::has_cost(job.study, job.plan.header, row.method)) continue;
     costs[row.cell] += studies::cost_of(*job.study.experiment, job.plan.cells[row.cell].values, row.statistics) /
                        static_cast<double>(row.statistics.trials);
   }

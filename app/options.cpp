@@ -159,7 +159,7 @@ void add_solve_options(CLI::App& verb, SolveOptions& options) {
   verb.add_option("DATA", options.data, "measured ranges: a CSV file, or - for standard input")->required();
   verb.add_option("--objects", options.objects, "where the objects are: a CSV file with their names and coordinates")
       ->type_name("FILE");
-  add_names(verb, "--solver", options.solvers, "solver (ridgeloc list solvers); may be repeated (default: rrr)");
+  add_names(verb, "--solver", options.solvers, "solver (ridgeloc list solvers); may be repeated (default: lm)");
   verb.add_option("--study", options.study, "the methods of this study instead")->type_name("STUDY");
   add_overrides(verb, options.overrides);
   add_names(verb, "--column", options.columns,
@@ -176,12 +176,15 @@ void add_solve_options(CLI::App& verb, SolveOptions& options) {
           [&options](const std::vector<double>& at) {
             options.start = {at[0], at[1], at[2]};
           },
-          "where solvers start (m), which decides between mirror images (default: found for each epoch)")
+          "where solvers start (m), which decides between mirror images; the height where it is known (default: found "
+          "for "
+          "each epoch)")
+      ->check(CLI::Range(-1e9, 1e9))
       ->delimiter(',')
       ->expected(3)
       ->type_name("X,Y,Z");
   verb.add_option("--sigma", options.sigma_m, "standard deviation of a range (m) (default: from the residuals)")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1e-9, 1e6))
       ->type_name("M");
   verb.add_flag("--strict", options.is_strict,
                 "refuse data with readings that cannot be used, instead of leaving them out");

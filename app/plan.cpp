@@ -26,6 +26,7 @@
 #include "studies/registry.hpp"
 #include "studies/run/pilot.hpp"
 #include "studies/study/audit_sample.hpp"
+#include "studies/study/axis_groups.hpp"
 
 namespace ridgeloc::app {
 
@@ -72,18 +73,6 @@ std::vector<std::string> zipped_with(const studies::Study& study, const std::str
   return {};
 }
 
-/// What the axes make together before any is excluded.
-std::size_t crossed_cells(const studies::Study& study) {
-  std::size_t cells = 1;
-  for (const studies::SweepAxis& axis : study.sweep) {
-    const auto others = zipped_with(study, axis.setting->name);
-    // Of axes that move together the first in the alphabet counts.
-    if (std::ranges::none_of(others, [&](const std::string& other) { return other < axis.setting->name; }))
-      cells *= axis.values.size();
-  }
-  return cells;
-}
-
 void print_contents(const studies::Study& study, const studies::Plan& plan) {
   fmt::print("{}: {}\n", study.name, study.title);
   for (const studies::SweepAxis& axis : study.sweep) {
@@ -93,7 +82,7 @@ void print_contents(const studies::Study& study, const studies::Plan& plan) {
   }
   for (const auto& method : study.methods) fmt::print("  method   {} ({})\n", method.label, method.solver);
   for (const std::string& remark : plan.remarks) fmt::print("  note     {}\n", remark);
-  const std::size_t excluded = crossed_cells(study) - plan.cells.size();
+  const std::size_t excluded = static_cast<std::size_t>(studies::crossed_cells(study)) - plan.cells.size();
   fmt::print("  cells    {}{}\n", plan.cells.size(), excluded == 0 ? "" : fmt::format(", {} excluded", excluded));
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <optional>
@@ -15,6 +15,8 @@
 #include "app/output.hpp"
 #include "app/verbs.hpp"
 #include "core/error.hpp"
+#include "core/printable.hpp"
+#include "results/util/file_system.hpp"
 #include "studies/files/study_reader.hpp"
 #include "studies/measured/epoch_reader.hpp"
 #include "studies/measured/fix_writer.hpp"
@@ -33,12 +35,11 @@ constexpr std::size_t epochs_at_once = 512;
 constexpr std::size_t most_complaints = 10;
 
 /// A study without a scene: measured data have their own. Iterated to a millimetre, since nobody counts the steps.
-std::string text_of_solvers(std::vector<std::string> solvers, bool has_start) {
-  if (solvers.empty()) solvers = {"rrr"};
+std::string text_of_solvers(std::vector<std::string> solvers) {
+  if (solvers.empty()) solvers = {"lm"};
   const auto known = studies::solvers_of(*studies::find_experiment("ranging"));
   std::string text =
-      fmt::format("experiment = \"ranging\"\n[solver]\nstep_tolerance_m = 1e-3\nmax_iterations = 200\nstart = \"{}\"\n",
-                  has_start ? "given" : "linear");
+      "experiment = \"ranging\"\n[solver]\nstep_tolerance_m = 1e-3\nmax_iterations = 200\nstart = \"linear\"\n";
   for (const std::string& solver : solvers) {
     check_name("--solver", solver, known);
     text += fmt::format("[[method]]\nsolver = \"{}\"\n", solver);
@@ -48,8 +49,8 @@ std::string text_of_solvers(std::vector<std::string> solvers, bool has_start) {
 
 studies::Study study_of(const SolveOptions& options) {
   if (options.study.empty()) {
-    const std::string text = text_of_solvers(options.solvers, options.start.has_value());
-    return studies::read_study({"measured", "solve", text}, options.overrides);
+    return studies::read_study({"measured", "the methods asked for", text_of_solvers(options.solvers)},
+                               options.overrides);
   }
   if (!options.solvers.empty()) throw core::InputError("--solver and --study both say the methods; give one of them");
   return studies::read_study(studies::find_study(options.study), options.overrides);
@@ -90,6 +91,13 @@ double metres_of(const std::string& unit) {
   return std::ranges::find(units, unit, &std::pair<std::string_view, double>::first)->second;
 }
 
+void refuse_overwriting(const std::string& input, const std::string& output) {
+  std::error_code failure;
+  if (!output.empty() && std::filesystem::is_regular_file(input, failure) &&
+      std::filesystem::equivalent(input, output, failure))
+    throw core::InputError(output + ": is read, and would be written over; choose another name");
+}
+
 /// Says what is left out, or refuses it.
 class Complaints {
  public:
@@ -97,12 +105,12 @@ class Complaints {
 
   void operator()(const std::string& message) {
     if (is_strict_) throw core::InputError(message);
-    if (++count_ <= most_complaints) say(fmt::format("ridgeloc: {}\n", message));
+    if (++count_ <= most_complaints) say(fmt::format("ridgeloc: {}\n", core::printable(message)));
   }
 
   void conclude() const {
     if (count_ > most_complaints) say(fmt::format("ridgeloc: and {} more such lines\n", count_ - most_complaints));
-    if (count_ > 0) say("ridgeloc: what these lines say was left out; --strict refuses such data\n");
+    if (count_ > 0) say("ridgeloc: readings that cannot be used are left out; --strict refuses such data\n");
   }
 
  private:
@@ -115,6 +123,10 @@ class Complaints {
 int solve(const SolveOptions& options) {
   if (options.data == "-" && options.objects == "-")
     throw core::InputError("DATA and --objects cannot both be standard input");
+  for (const std::string& output : {options.output, options.noise, options.scene})
+    for (const std::string& input : {options.data, options.objects}) refuse_overwriting(input, output);
+  if (!options.scene.empty() && results::path_exists(options.scene))
+    throw core::InputError(options.scene + ": exists already; choose another --as-scene or remove it");
   const studies::Study study = study_of(options);
   studies::EpochSolver solver(study, {options.start, options.sigma_m}, instruction_set(options.isa));
 
@@ -132,6 +144,7 @@ int solve(const SolveOptions& options) {
                               objects, [&](const std::string& message) { complaints(message); });
 
   studies::GivenStudy given;
+  const bool collects = !options.noise.empty() || !options.scene.empty();
   write_output(options.output, [&](std::ostream& out) {
     const auto writer =
         options.json ? studies::json_fix_writer(out) : studies::csv_fix_writer(out, results::DecimalMark::Point);
@@ -149,7 +162,7 @@ int solve(const SolveOptions& options) {
       for (std::size_t e = 0; e < epochs.size(); ++e) {
         for (std::size_t m = 0; m < solver.methods(); ++m)
           writer->write(epochs[e], geometries[e], solver.label(m), fixes[m][e]);
-        given.add(epochs[e], fixes[0][e], solver.knows_height());
+        if (collects) given.add(epochs[e], fixes[0][e], solver.knows_height());
       }
       writer->flush();
     }

@@ -108,7 +108,7 @@ struct SolveOptions {
   std::string data;                            ///< measured ranges, CSV; "-": standard input
   std::string objects;                         ///< where the objects are, CSV; empty: in the data
   std::string study;                           ///< whose methods; empty: solvers
-  std::vector<std::string> solvers;            ///< empty: rrr
+  std::vector<std::string> solvers;            ///< empty: lm
   std::vector<std::string> overrides;          ///< KEY=VALUE
   std::vector<std::string> columns;            ///< ROLE=NAME
   std::string range_unit = "m";                ///< of the ranges

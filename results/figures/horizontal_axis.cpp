@@ -44,10 +44,11 @@ HorizontalAxis horizontal_axis(const Header& header, const FigureSpec& spec, con
         fmt::format("figure '{}': --log-x needs an axis of numbers above 0, and {} is none", spec.name, axis.name));
   }
   result.log = result.log || log_x;
-  if (result.is_categorical)
-    for (std::size_t i = 0; i < axis.values.size(); ++i) result.positions.push_back(static_cast<double>(i));
-  for (const std::size_t i : settings.drawn_values(*names.x))
+  if (result.is_categorical) result.positions.resize(axis.values.size());
+  for (const std::size_t i : settings.drawn_values(*names.x)) {
+    if (result.is_categorical) result.positions[i] = static_cast<double>(result.ticks.size());
     result.ticks.push_back({result.positions[i], settings.value_text(*names.x, i)});
+  }
   std::ranges::sort(result.ticks, {}, &FigureTick::position);
   return result;
 }

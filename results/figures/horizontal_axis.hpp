@@ -9,7 +9,8 @@ namespace ridgeloc::results {
 
 /// Internal to figures: the horizontal axis of a curve, which is an axis of the sweep.
 struct HorizontalAxis {
-  std::vector<double> positions;  ///< per value of the axis; texts, and numbers among them, stand at 0, 1, 2, ...
+  /// Per value of the axis. Texts, and numbers among them, stand at 0, 1, 2, ..., those alone that are drawn.
+  std::vector<double> positions;
   std::vector<FigureTick> ticks;  ///< of the values that are drawn, in order
   bool log = false;               ///< asked for, or positive numbers that span at least a factor of 100
   bool is_categorical = false;    ///< not all values are numbers

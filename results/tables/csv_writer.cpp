@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <iterator>
 #include <ostream>
 #include <string>
@@ -13,12 +14,23 @@
 
 namespace ridgeloc::results {
 
+namespace {
+
+bool is_number(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return failure == std::errc{} && end == text.data() + text.size();
+}
+
+}  // namespace
+
 CsvWriter::CsvWriter(std::ostream& out, DecimalMark mark) : out_(out), mark_(mark) {}
 
 void CsvWriter::text(std::string_view value) {
   separate();
   constexpr std::string_view computed = "=+-@\t\r";
-  if (value.empty() || computed.find(value.front()) == std::string_view::npos) {
+  if (value.empty() || computed.find(value.front()) == std::string_view::npos || is_number(value)) {
     quoted(value);
   } else {
     quoted(fmt::format("'{}", value));

@@ -20,7 +20,7 @@ class CsvWriter {
   CsvWriter(std::ostream& out, DecimalMark mark);
 
   /// A text that begins with = + - or @ gets an apostrophe before it, so that a spreadsheet shows it and computes
-  /// nothing.
+  /// nothing; a number is left as it is.
   void text(std::string_view value);
 
   /// In the shortest form that reads back as the same double.

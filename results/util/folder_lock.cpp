@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 
 /// The file of the lock, made where it is not there, also with its folder. A link or anything but a file is refused:
 /// the folder may be somebody else's.
-int open_lock(const fs::path& file) {
-  constexpr int flags = O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
+int open_lock(const fs::path& file, int access) {
+  const int flags = access | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
   constexpr mode_t as_the_user_allows = 0666;
   for (;;) {
     const int descriptor = ::open(file.c_str(), flags, as_the_user_allows);
@@ -51,8 +51,15 @@ FolderLock::FolderLock(const fs::path& folder) : file_(folder / "lock"), mark_(r
   constexpr auto pause = std::chrono::milliseconds(10);
   const auto deadline = std::chrono::steady_clock::now() + patience;
   for (;;) {
-    descriptor_ = open_lock(file_);
-    const int error = lock_error(descriptor_);
+    descriptor_ = open_lock(file_, O_RDONLY);
+    int error = lock_error(descriptor_);
+    if (error != 0 && error != EWOULDBLOCK) {
+      // NFS locks only what is open for writing, which elsewhere would keep a disk from being made read-only; and where
+      // there are no locks a mark is written.
+      ::close(descriptor_);
+      descriptor_ = open_lock(file_, O_RDWR);
+      error = lock_error(descriptor_);
+    }
     const bool is_held = error == EWOULDBLOCK;
     failure_ = error == 0 || is_held ? "" : system_message(error);
     // The run that held the lock may have removed the file since it was opened: then this locks one without a name.

@@ -55,6 +55,7 @@ std::vector<std::vector<double>> columns_in(std::string text, const std::string&
       throw core::InputError(fmt::format("{}: {} cells where the first line names {}; is a comma the decimal point?",
                                          place(), cells.size(), names.size()));
     }
+    if (rows.is_unclosed()) throw core::InputError(fmt::format("{}: a quote that is not closed", place()));
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const std::string cell = positions[c] < cells.size() ? cells[positions[c]] : std::string();
       const auto value = rows.number_in(cell);

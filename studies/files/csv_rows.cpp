@@ -9,6 +9,9 @@ namespace ridgeloc::studies {
 
 namespace {
 
+/// Quotes that go on longer were never meant to.
+constexpr std::size_t most_of_a_row = std::size_t{1} << 20;
+
 /// What separates the cells of a CSV text that begins with this line: a comma, but where it has none, a semicolon or a
 /// tabulator. Spreadsheets write these where the comma is the decimal point.
 char separator_of(std::string_view line) {
@@ -36,6 +39,7 @@ bool CsvRows::next(std::vector<std::string>& cells) {
     }
   } while (row_.empty());
   if (separator_ == '\0') separator_ = separator_of(row_);
+  is_unclosed_ = false;
   std::size_t count = 0;
   do {
     if (count == cells.size()) cells.emplace_back();
@@ -71,7 +75,8 @@ void CsvRows::read_cell(std::string& cell) {
     for (;;) {
       if (at_ == row_.size()) {
         row_ += '\n';
-        if (!take_line()) break;
+        is_unclosed_ = row_.size() > most_of_a_row || !take_line();
+        if (is_unclosed_) break;
       }
       const char c = row_[at_++];
       if (c == '"' && !take('"')) break;

@@ -22,6 +22,9 @@ class CsvRows {
   /// Where the row begins that `next` gave last; lines count from 1.
   std::size_t line() const { return first_line_; }
 
+  /// Whether a quote of the row that `next` gave last is not closed, by the end or within a MiB.
+  bool is_unclosed() const { return is_unclosed_; }
+
   /// A number as such rows have it: finite, with a decimal comma where commas do not separate. Nothing for other texts.
   std::optional<double> number_in(std::string_view cell) const;
 
@@ -37,6 +40,7 @@ class CsvRows {
   char separator_ = '\0';  ///< none yet
   std::size_t line_ = 0;
   std::size_t first_line_ = 1;
+  bool is_unclosed_ = false;
 };
 
 }  // namespace ridgeloc::studies

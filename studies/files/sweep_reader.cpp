@@ -8,6 +8,7 @@
 #include "studies/files/decimal_range.hpp"
 #include "studies/files/sections.hpp"
 #include "studies/files/toml_document.hpp"
+#include "studies/study/axis_groups.hpp"
 
 namespace ridgeloc::studies {
 
@@ -179,8 +180,7 @@ void read_sweep(const toml::table& document, Study& study) {
   if (const toml::node* zip = table.get("zip")) read_zip(*zip, study);
   if (const toml::node* exclude = table.get("exclude")) read_exclude(*exclude, study);
 
-  double cells = 1.0;
-  for (const SweepAxis& axis : study.sweep) cells *= static_cast<double>(axis.values.size());
+  const double cells = crossed_cells(study);
   if (cells > static_cast<double>(max_cells)) {
     fail_at(table, fmt::format("[sweep] crosses to {:.0f} cells; at most {} are allowed", cells, max_cells));
   }

@@ -100,11 +100,12 @@ void apply_override(toml::table& document, const std::string& text) {
   place(*node, path.substr(begin), std::move(*parsed.get("value")), origin);
 }
 
-/// A finite number, whole or not.
+/// A finite number, whole or not. -0.0, which is equal to 0.0 and would be another text, is 0.0.
 std::optional<double> number_of(const toml::node& node) {
   if (!node.is_number()) return std::nullopt;
   const double value = *node.value<double>();
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+  if (!std::isfinite(value)) return std::nullopt;
+  return value == 0.0 ? 0.0 : value;
 }
 
 /// As an array or table of the document has it, in one line.
@@ -182,12 +183,13 @@ fs::path folder_of(const toml::node& node) {
   return fs::path(*source.path).parent_path();
 }
 
-/// Whether a path lies outside of a folder when all its links are followed, or they cannot be followed.
+/// Whether a path lies outside of a folder when all its links are followed, or they cannot be followed. Of a path that
+/// is not there nothing is made absolute by itself.
 bool leads_out(const fs::path& folder, const fs::path& path) {
   std::error_code folder_unknown;
   std::error_code path_unknown;
-  const fs::path inside = fs::weakly_canonical(folder.empty() ? "." : folder, folder_unknown);
-  const fs::path whole = fs::weakly_canonical(path, path_unknown);
+  const fs::path inside = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder), folder_unknown);
+  const fs::path whole = fs::weakly_canonical(fs::absolute(path), path_unknown);
   if (folder_unknown || path_unknown) return true;
   return std::ranges::mismatch(inside, whole).in1 != inside.end();
 }

@@ -46,6 +46,7 @@ Uncertainty uncertainty_of(const Epoch& epoch, const Place& position, std::span<
   Matrix weighted;
   Matrix squared;
   double squares = 0.0;
+  double weighted_squares = 0.0;
   for (std::size_t j = 0; j < epoch.readings.size(); ++j) {
     Place direction{};
     double length = 0.0;
@@ -64,6 +65,7 @@ Uncertainty uncertainty_of(const Epoch& epoch, const Place& position, std::span<
       }
     }
     squares += residuals[j] * residuals[j];
+    weighted_squares += weight * weight * residuals[j] * residuals[j];
   }
   Uncertainty out;
   const auto of_plain = inverse_of(plain, knows_height);
@@ -71,12 +73,13 @@ Uncertainty uncertainty_of(const Epoch& epoch, const Place& position, std::span<
                       : std::numeric_limits<double>::infinity();
   const std::size_t unknowns = knows_height ? 2 : 3;
   out.sigma_m = sigma_m;
-  if (!sigma_m && residuals.size() > unknowns)
-    out.sigma_m = std::sqrt(squares / static_cast<double>(residuals.size() - unknowns));
+  const bool has_more = residuals.size() > unknowns;
+  const double left_over = has_more ? static_cast<double>(residuals.size() - unknowns) : 0.0;
+  if (!sigma_m && has_more) out.sigma_m = std::sqrt(squares / left_over);
   const auto of_weighted = inverse_of(weighted, knows_height);
   if (!out.sigma_m || !of_weighted) return out;
-  Covariance covariance = sandwich(*of_weighted, squared);
-  for (double& entry : covariance) entry *= *out.sigma_m * *out.sigma_m;
+  Covariance covariance = sandwich(*of_weighted, sigma_m ? squared : plain);
+  for (double& entry : covariance) entry *= sigma_m ? *sigma_m * *sigma_m : weighted_squares / left_over;
   out.covariance = covariance;
   return out;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "studies/study/value.hpp"
 
 namespace ridgeloc::studies {
@@ -24,7 +25,10 @@ EpochReader::EpochReader(std::istream& text, std::string origin, DataFormat form
     return static_cast<std::size_t>(found - names_.begin());
   };
   const DataColumns& known = format_.columns;
-  const auto there_are = [&] { return fmt::format("(there are: {})", fmt::join(names_, ", ")); };
+  if (names_.empty()) throw core::InputError(fmt::format("{}: is empty; the first line names the columns", origin_));
+  const auto there_are = [&] {
+    return fmt::format("(there are: {})", core::excerpt(fmt::format("{}", fmt::join(names_, ", "))));
+  };
   epoch_ = column(known.epoch);
   range_ = column(known.range);
   if (!range_) {
@@ -65,12 +69,17 @@ bool EpochReader::next(Epoch& epoch) {
 }
 
 bool EpochReader::read_row() {
-  while (!has_row_) {
-    if (!rows_.next(cells_)) return false;
-    has_row_ = cells_.size() <= names_.size();
-    if (!has_row_)
-      complain(fmt::format("{} cells where the first line names {}; is a comma the decimal point?", cells_.size(),
-                           names_.size()));
+  if (has_row_) return true;
+  if (!rows_.next(cells_)) return false;
+  has_row_ = true;
+  is_usable_ = false;
+  if (cells_.size() > names_.size()) {
+    complain(fmt::format("{} cells where the first line names {}; is a comma the decimal point?", cells_.size(),
+                         names_.size()));
+  } else if (rows_.is_unclosed()) {
+    complain("a quote that is not closed");
+  } else {
+    is_usable_ = true;
   }
   cells_.resize(names_.size());
   return true;
@@ -82,7 +91,7 @@ bool EpochReader::next_of_rows(Epoch& epoch) {
   epoch.line = rows_.line();
   note_label(epoch.label);
   do {
-    if (auto reading = reading_of_row()) epoch.readings.push_back(std::move(*reading));
+    if (auto reading = is_usable_ ? reading_of_row() : std::nullopt) epoch.readings.push_back(std::move(*reading));
     has_row_ = false;
   } while (read_row() && cells_[*epoch_] == epoch.label);
   return true;
@@ -93,7 +102,7 @@ bool EpochReader::next_of_columns(Epoch& epoch) {
   has_row_ = false;
   epoch.label = epoch_ ? cells_[*epoch_] : std::to_string(epochs_ + 1);
   epoch.line = rows_.line();
-  if (epoch_) note_label(epoch.label);
+  if (!is_usable_) return true;
   for (const auto& [position, object] : object_columns_) {
     if (cells_[position].empty()) continue;
     if (const auto range = range_in(cells_[position], object->first))
@@ -108,11 +117,7 @@ std::optional<Reading> EpochReader::reading_of_row() {
   if (!coordinates_[0]) {
     const auto object = objects_.find(reading.object);
     if (object == objects_.end()) {
-      std::vector<std::string> known;
-      for (const auto& entry : objects_) known.push_back(entry.first);
-      const std::string nearest = nearest_name(reading.object, known);
-      complain(fmt::format("no object \"{}\"{}", reading.object,
-                           nearest.empty() ? "" : fmt::format(", did you mean \"{}\"?", nearest)));
+      complain(fmt::format("no object \"{}\"{}", core::excerpt(reading.object), suggestion_for(reading.object)));
       return std::nullopt;
     }
     reading.at = object->second;
@@ -122,7 +127,8 @@ std::optional<Reading> EpochReader::reading_of_row() {
     const std::string& cell = cells_[*coordinates_[axis]];
     const auto value = rows_.number_in(cell);
     if (!value) {
-      complain(fmt::format("\"{}\" in column \"{}\" is not a number", cell, names_[*coordinates_[axis]]));
+      complain(
+          fmt::format("\"{}\" in column \"{}\" is not a number", core::excerpt(cell), names_[*coordinates_[axis]]));
       return std::nullopt;
     }
     reading.at[axis] = *value * format_.position_unit_m;
@@ -133,8 +139,8 @@ std::optional<Reading> EpochReader::reading_of_row() {
   if (score_) {
     const auto score = rows_.number_in(cells_[*score_]);
     if (!score || *score <= 0.0 || *score > 1.0) {
-      complain(fmt::format("\"{}\" in column \"{}\" is not a score, a number above 0 and up to 1", cells_[*score_],
-                           names_[*score_]));
+      complain(fmt::format("\"{}\" in column \"{}\" is not a score, a number above 0 and up to 1",
+                           core::excerpt(cells_[*score_]), names_[*score_]));
       return std::nullopt;
     }
     reading.score = *score;
@@ -145,14 +151,27 @@ std::optional<Reading> EpochReader::reading_of_row() {
 std::optional<double> EpochReader::range_in(const std::string& cell, const std::string& column) {
   const auto value = rows_.number_in(cell);
   if (value && *value > 0.0) return *value * format_.range_unit_m;
-  complain(fmt::format("\"{}\" in column \"{}\" is not a range, a number above 0", cell, column));
+  complain(fmt::format("\"{}\" in column \"{}\" is not a range, a number above 0", core::excerpt(cell), column));
   return std::nullopt;
+}
+
+std::string EpochReader::suggestion_for(const std::string& object) {
+  // A name that is wrong once is often wrong all the way.
+  constexpr std::size_t most = 100;
+  const auto known = suggestions_.find(object);
+  if (known != suggestions_.end()) return known->second;
+  if (suggestions_.size() == most) return "";
+  std::vector<std::string> names;
+  for (const auto& entry : objects_) names.push_back(entry.first);
+  const std::string nearest = nearest_name(object, names);
+  return suggestions_[object] = nearest.empty() ? "" : fmt::format(", did you mean \"{}\"?", nearest);
 }
 
 void EpochReader::note_label(const std::string& label) {
   if (!seen_.insert(std::hash<std::string>{}(label)).second)
-    complain(fmt::format(
-        "epoch \"{}\" has been before: the rows of an epoch stand together, and here it is another one", label));
+    complain(
+        fmt::format("epoch \"{}\" has been before: the rows of an epoch stand together, and here it is another one",
+                    core::excerpt(label)));
 }
 
 void EpochReader::complain(const std::string& what) {

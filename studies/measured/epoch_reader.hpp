@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <istream>
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_set>
@@ -48,6 +49,7 @@ class EpochReader {
   std::optional<Reading> reading_of_row();
   std::optional<double> range_in(const std::string& cell, const std::string& column);
   void note_label(const std::string& label);
+  std::string suggestion_for(const std::string& object);
   void complain(const std::string& what);
   bool read_row();
 
@@ -58,7 +60,8 @@ class EpochReader {
   Complain complain_;
   std::vector<std::string> names_;
   std::vector<std::string> cells_;
-  bool has_row_ = false;  ///< `cells_` is a row that no epoch has had yet
+  bool has_row_ = false;    ///< `cells_` is a row that no epoch has had yet
+  bool is_usable_ = false;  ///< and its cells are what the first line says
   std::optional<std::size_t> epoch_;
   std::optional<std::size_t> object_;
   std::optional<std::size_t> range_;
@@ -67,6 +70,7 @@ class EpochReader {
   std::vector<std::pair<std::size_t, const ObjectTable::value_type*>> object_columns_;  ///< of one epoch a row
   std::size_t epochs_ = 0;
   std::unordered_set<std::size_t> seen_;  ///< hashes of labels
+  std::map<std::string, std::string> suggestions_;
 };
 
 }  // namespace ridgeloc::studies

@@ -15,6 +15,9 @@ namespace ridgeloc::studies {
 
 namespace {
 
+/// How much of its standard deviation a position may still have to go.
+constexpr double settled = 0.1;
+
 /// Where coordinates of an epoch are taken from.
 const Place& origin_of(const Epoch& epoch) {
   return epoch.readings.front().at;
@@ -43,7 +46,8 @@ EpochSolver::EpochSolver(const Study& study, Known known, core::Isa isa) : known
   if (knows_height_ && !known_.start)
     throw core::InputError("scene.z_mode = \"fixed\": the height is that of --start X,Y,Z; give one");
   for (const Method& method : study.methods) {
-    const solvers::SolverOptions options = solver_options(study.fixed, method.given);
+    solvers::SolverOptions options = solver_options(study.fixed, method.given);
+    if (known_.start && !knows_height_) options.start = solvers::Start::Given;
     const auto& entry = solvers::solver_named(method.solver);
     const auto& estimator = solvers::k_estimator_registry()[options.k];
     if (entry.has_k && estimator.needs_oracle) {
@@ -122,10 +126,18 @@ Fix EpochSolver::fix_of(const SolvedMethod& method, const Epoch& epoch, std::siz
     squares += fix.residuals_m.back() * fix.residuals_m.back();
   }
   fix.residual_rms_m = std::sqrt(squares / static_cast<double>(local.readings.size()));
+  // A short step may be a damped one, or lead elsewhere than to the minimum of the weighted squares, for which alone
+  // the covariance holds.
   if (solutions_.status[slot] == static_cast<std::uint8_t>(core::Status::Converged)) {
     const auto iterates = solvers::trace(method.solver, problems_, slot, method.options, nullptr);
     fix.uncertainty =
         uncertainty_of(local, position, iterates.back().weights, fix.residuals_m, knows_height_, known_.sigma_m);
+    const double left_m = solutions_.remaining_step_m[slot];
+    auto& covariance = fix.uncertainty.covariance;
+    fix.is_settled =
+        left_m <= method.options.step_tolerance_m ||
+        (covariance && left_m <= settled * std::sqrt((*covariance)[0] + (*covariance)[3] + (*covariance)[5]));
+    if (!fix.is_settled) covariance.reset();
   }
   for (std::size_t axis = 0; axis < position.size(); ++axis) position[axis] += origin_of(epoch)[axis];
   fix.position = position;

@@ -25,15 +25,18 @@ struct Fix {
   std::optional<Place> position;  ///< m; nothing of too few objects
   double iterations = 0.0;
   double residual_rms_m = 0.0;
+  bool is_settled = false;  ///< converged, and the undamped step that is left is shorter than the tolerance, or than a
+                            ///< tenth of the standard deviation
   std::vector<double> residuals_m;  ///< measured minus computed range, in the order of the readings
-  Uncertainty uncertainty;          ///< of a position that has converged
+  Uncertainty uncertainty;          ///< of a position that is settled
 };
 
 /// Solves epochs with the methods of a study of ranges.
 class EpochSolver {
  public:
   struct Known {
-    std::optional<Place> start;     ///< of all epochs; absent: what `EpochGeometry` has
+    std::optional<Place> start;     ///< where all methods start, or the height where that is known; absent: as they
+                                    ///< say, or what `EpochGeometry` has
     std::optional<double> sigma_m;  ///< standard deviation of the ranges; absent: from their residuals
   };
 

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "core/error.hpp"
+#include "core/status.hpp"
 #include "results/util/json.hpp"
 
 namespace ridgeloc::studies {
@@ -14,6 +15,16 @@ namespace {
 
 constexpr std::array<const char*, 6> covariance_names = {"cov_xx_m2", "cov_xy_m2", "cov_xz_m2",
                                                          "cov_yy_m2", "cov_yz_m2", "cov_zz_m2"};
+
+constexpr const char* note_of_unsettled = "unsettled";
+
+/// What a user must know of an answer.
+std::string note_of(const EpochGeometry& geometry, const Fix& fix) {
+  std::string note = geometry.note;
+  if (fix.status == core::status_names[0] && !fix.is_settled)
+    note += fmt::format("{}{}", note.empty() ? "" : " ", note_of_unsettled);
+  return note;
+}
 
 /// What a reading is called: its object, or its number from 1.
 std::string name_of_reading(const Epoch& epoch, std::size_t j) {
@@ -35,7 +46,7 @@ class CsvFixWriter : public FixWriter {
     csv_.text(epoch.label);
     csv_.text(method);
     csv_.text(fix.status);
-    csv_.text(geometry.note);
+    csv_.text(note_of(geometry, fix));
     for (std::size_t axis = 0; axis < 3; ++axis)
       number_or_nothing(fix.position ? std::optional((*fix.position)[axis]) : std::nullopt);
     number_or_nothing(fix.position ? std::optional(fix.iterations) : std::nullopt);
@@ -77,7 +88,7 @@ class JsonFixWriter : public FixWriter {
       return value ? json_number(*value) : std::string("null");
     };
     std::string line = fmt::format("{{\"epoch\":{},\"method\":{},\"status\":{},\"note\":{},", json_string(epoch.label),
-                                   json_string(method), json_string(fix.status), json_string(geometry.note));
+                                   json_string(method), json_string(fix.status), json_string(note_of(geometry, fix)));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       line += fmt::format("\"{}_m\":{},", "xyz"[axis],
                           fix.position ? json_number((*fix.position)[axis]) : std::string("null"));

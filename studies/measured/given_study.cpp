@@ -13,7 +13,8 @@ namespace ridgeloc::studies {
 
 namespace {
 
-/// More would make the study, which holds them all, larger than a few MiB.
+/// What studies take of samples and of positions.
+constexpr std::size_t most_errors = 100'000;
 constexpr std::size_t most_places = 100'000;
 
 Positions from(const Place& origin, std::span<const Place> places) {
@@ -30,10 +31,21 @@ void GivenStudy::add(const Epoch& epoch, const Fix& fix, bool knows_height) {
   const std::size_t readings = fix.residuals_m.size();
   if (readings > unknowns) {
     const double growth = std::sqrt(static_cast<double>(readings) / static_cast<double>(readings - unknowns));
-    for (const double residual : fix.residuals_m) errors_m_.push_back(residual * growth);
+    for (const double residual : fix.residuals_m) add_error(residual * growth);
   }
-  for (const Reading& reading : epoch.readings) objects_.insert(reading.at);
+  for (const Reading& reading : epoch.readings)
+    if (objects_.size() <= most_places) objects_.insert(reading.at);
   if (places_.size() < most_places) places_.push_back(*fix.position);
+}
+
+void GivenStudy::add_error(double error_m) {
+  if (offered_++ % stride_ != 0) return;
+  errors_m_.push_back(error_m);
+  if (errors_m_.size() <= most_errors) return;
+  // Every second one, from now on too.
+  for (std::size_t i = 0; 2 * i < errors_m_.size(); ++i) errors_m_[i] = errors_m_[2 * i];
+  errors_m_.resize((errors_m_.size() + 1) / 2);
+  stride_ *= 2;
 }
 
 void GivenStudy::write_noise(std::ostream& out) const {
@@ -49,6 +61,9 @@ void GivenStudy::write_noise(std::ostream& out) const {
 
 void GivenStudy::write_scene(std::ostream& out, Study study) const {
   if (places_.empty()) throw core::InputError("no epoch has an answer that converged: there is no place for a scene");
+  if (objects_.size() > most_places)
+    throw core::InputError(
+        fmt::format("more than {} different objects, which are all that a scene may have", most_places));
   const std::vector<Place> objects(objects_.begin(), objects_.end());
   const Place& origin = objects.front();
   double squares = 0.0;

@@ -20,16 +20,21 @@ class GivenStudy {
   std::size_t errors() const { return errors_m_.size(); }
   std::size_t places() const { return places_.size(); }
 
-  /// The errors as a CSV file that `noise_samples = { file = ..., column = "error_m" }` reads.
+  /// The errors, at most as many as a study takes, evenly from all that there were, as a CSV file that `noise_samples =
+  /// { file = ..., column = "error_m" }` reads.
   void write_noise(std::ostream& out) const;
 
   /// The study of which the methods are, with these objects, these true positions of the camera and the root mean
   /// square of these errors as the noise, coordinates from an origin near them, which a comment names. Throws
-  /// core::InputError where there is nothing to make a scene of.
+  /// core::InputError where there is nothing to make a scene of, or more objects than a study takes.
   void write_scene(std::ostream& out, Study study) const;
 
  private:
-  std::vector<double> errors_m_;
+  void add_error(double error_m);
+
+  std::vector<double> errors_m_;  ///< every `stride_`-th
+  std::size_t stride_ = 1;
+  std::size_t offered_ = 0;
   std::set<Place> objects_;
   std::vector<Place> places_;
 };

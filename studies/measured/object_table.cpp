@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "studies/files/csv_rows.hpp"
 #include "studies/study/value.hpp"
 
@@ -38,7 +39,8 @@ ObjectTable read_objects(std::istream& text, const std::string& origin, const Da
   const auto required = [&](std::string DataColumns::*column, const char* role) {
     if (const auto found = find(column)) return *found;
     throw core::InputError(fmt::format("{}: no column \"{}\" (there are: {}); --column {}=NAME says which it is",
-                                       place(), columns.*column, fmt::join(names, ", "), role));
+                                       place(), columns.*column,
+                                       core::excerpt(fmt::format("{}", fmt::join(names, ", "))), role));
   };
   const std::size_t object = required(&DataColumns::object, "object");
   const std::array<std::optional<std::size_t>, 3> coordinates = {required(&DataColumns::x, "x"),
@@ -53,14 +55,15 @@ ObjectTable read_objects(std::istream& text, const std::string& origin, const Da
       const std::string& cell = cells[*coordinates[axis]];
       const auto value = rows.number_in(cell);
       if (!value) {
-        throw core::InputError(
-            fmt::format("{}: \"{}\" in column \"{}\" is not a number", place(), cell, names[*coordinates[axis]]));
+        throw core::InputError(fmt::format("{}: \"{}\" in column \"{}\" is not a number", place(), core::excerpt(cell),
+                                           names[*coordinates[axis]]));
       }
       at[axis] = *value * unit_m;
     }
     if (cells[object].empty()) throw core::InputError(fmt::format("{}: the object has no name", place()));
     if (!objects.emplace(cells[object], at).second)
-      throw core::InputError(fmt::format("{}: object \"{}\" is there twice; leave one out", place(), cells[object]));
+      throw core::InputError(
+          fmt::format("{}: object \"{}\" is there twice; leave one out", place(), core::excerpt(cells[object])));
   }
   if (objects.empty()) throw core::InputError(fmt::format("{}: no object", origin));
   return objects;

@@ -1,33 +1,18 @@
 #include "studies/plan/cell_grid.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
+
+#include "studies/study/axis_groups.hpp"
 
 namespace ridgeloc::studies {
 
 namespace {
 
-/// Groups of axes that move together: each zipped group, and every other axis for itself, by first axis.
-std::vector<std::vector<std::size_t>> axis_groups(const Study& study) {
-  const auto group_of = [&](const std::string& name) {
-    return std::ranges::find_if(study.zip, [&](const auto& g) { return std::ranges::find(g, name) != g.end(); });
-  };
-  std::vector<std::vector<std::size_t>> groups;
-  std::vector<const std::vector<std::string>*> zipped;
-  for (std::size_t a = 0; a < study.sweep.size(); ++a) {
-    const auto zip = group_of(study.sweep[a].setting->name);
-    const auto known = zip == study.zip.end() ? zipped.end() : std::ranges::find(zipped, &*zip);
-    if (known != zipped.end()) {
-      groups[static_cast<std::size_t>(known - zipped.begin())].push_back(a);
-    } else {
-      groups.push_back({a});
-      zipped.push_back(zip == study.zip.end() ? nullptr : &*zip);
-    }
-  }
-  return groups;
-}
+constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
 /// A pattern of `exclude`: on some axes the place of a value.
 using Pattern = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -38,8 +23,10 @@ Pattern pattern_of(const Values& values, const std::vector<SweepAxis>& sweep,
   for (std::size_t a = 0; a < sweep.size(); ++a) {
     const auto value = values.find(sweep[a].setting->name);
     if (value == values.end()) continue;
-    const auto number = std::ranges::find(sweep[a].values, value->second) - sweep[a].values.begin();
-    pattern.emplace_back(a, places[a][static_cast<std::size_t>(number)]);
+    const auto found = std::ranges::find(sweep[a].values, value->second);
+    const auto number = static_cast<std::size_t>(found - sweep[a].values.begin());
+    // What the axis has not, fits no cell.
+    pattern.emplace_back(a, found == sweep[a].values.end() ? nowhere : places[a][number]);
   }
   return pattern;
 }

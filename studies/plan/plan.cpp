@@ -10,6 +10,7 @@
 #include "core/units.hpp"
 #include "results/util/digest.hpp"
 #include "studies/files/study_writer.hpp"
+#include "studies/study/axis_groups.hpp"
 #include "studies/study/capabilities.hpp"
 #include "studies/study/comparison.hpp"
 #include "studies/study/conditions.hpp"
@@ -174,6 +175,7 @@ std::string method_hash(const Study& study, const Method& method) {
 }
 
 Plan make_plan(const Study& study, core::Isa isa) {
+  refuse_too_many_cells(study);
   Plan plan;
   plan.isa = isa;
   plan.cells = CellGrid(study);

@@ -19,8 +19,8 @@ struct Plan {
   std::vector<std::string> remarks;  ///< what is worth a word about the settings, each said once
 };
 
-/// Lays a study out. Throws core::InputError when `exclude` leaves no cell, and where the settings of a cell cannot
-/// stand together.
+/// Lays a study out. Throws core::InputError when `exclude` leaves no cell, where there are more than `max_cells`
+/// or `max_totals`, and where the settings of a cell cannot stand together.
 Plan make_plan(const Study& study, core::Isa isa = core::Isa::Baseline);
 
 /// The lines "key = value" that the study hash is made of: what changes every number and is neither swept nor a

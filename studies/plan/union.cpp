@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "studies/plan/plan.hpp"
+#include "studies/study/axis_groups.hpp"
 #include "studies/study/capabilities.hpp"
 #include "studies/study/comparison.hpp"
 #include "studies/study/conditions.hpp"
@@ -45,8 +46,10 @@ bool are_ascending_numbers(const std::vector<Value>& values) {
 /// The values of `more` behind those of `values`, or between them.
 void add_values(std::vector<Value>& values, const std::vector<Value>& more) {
   const bool sorted = are_ascending_numbers(values) && are_ascending_numbers(more);
+  std::set<std::string> known;
+  for (const Value& value : values) known.insert(to_toml(value));
   for (const Value& value : more) {
-    if (std::ranges::find(values, value) == values.end()) values.push_back(value);
+    if (known.insert(to_toml(value)).second) values.push_back(value);
   }
   if (sorted) std::ranges::sort(values, {}, number_of);
 }
@@ -60,17 +63,17 @@ void add_rows(Study& study, const std::vector<std::string>& zip, const Study& ot
     return axes;
   };
   const auto row_of = [](const auto& axes, std::size_t i) {
-    std::vector<Value> row;
-    for (const auto* axis : axes) row.push_back(axis->values[i]);
+    std::vector<std::string> row;
+    for (const auto* axis : axes) row.push_back(to_toml(axis->values[i]));
     return row;
   };
   const auto axes = axes_of(study);
   const auto others = axes_of(other);
+  std::set<std::vector<std::string>> known;
+  for (std::size_t i = 0; i < axes.front()->values.size(); ++i) known.insert(row_of(axes, i));
   for (std::size_t i = 0; i < others.front()->values.size(); ++i) {
-    const auto row = row_of(others, i);
-    bool known = false;
-    for (std::size_t k = 0; k < axes.front()->values.size() && !known; ++k) known = row_of(axes, k) == row;
-    for (std::size_t a = 0; a < axes.size() && !known; ++a) axes[a]->values.push_back(row[a]);
+    if (!known.insert(row_of(others, i)).second) continue;
+    for (std::size_t a = 0; a < axes.size(); ++a) axes[a]->values.push_back(others[a]->values[i]);
   }
 }
 
@@ -111,6 +114,8 @@ void unite_sweeps(Study& study, const Study& other) {
   }
   for (const auto& zip : study.zip) add_rows(study, zip, other);
   study.exclude = std::move(exclusions);
+  // Before the next union looks at all of them.
+  refuse_too_many_cells(study);
 }
 
 /// A method of another study with all that it reads and that the first study has set otherwise.

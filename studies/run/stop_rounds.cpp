@@ -7,6 +7,10 @@
 
 namespace ridgeloc::studies {
 
+bool has_cost(const Study& study, const results::Header& header, std::size_t method) {
+  return study.methods.empty() ? !header.methods[method].difference : method < study.methods.size();
+}
+
 StopRounds::StopRounds(const Study& study, const Plan& plan, const Assignment& assignment,
                        const FinishedBlocks& finished)
     : study_(study),
@@ -29,9 +33,7 @@ const StopRounds::Known& StopRounds::known(std::size_t place, std::uint64_t bloc
   const Cell settings = plan_.cells[cell];
   for (std::size_t m = 0; m < plan_.header.methods.size(); ++m) {
     statistics.push_back(finished_.statistics(cell, m));
-    // Without methods an experiment reports under its labels alone, and these are what runs.
-    const bool runs = study_.methods.empty() ? !plan_.header.methods[m].difference : m < study_.methods.size();
-    if (runs) cost += cost_of(*study_.experiment, settings.values, statistics.back());
+    if (has_cost(study_, plan_.header, m)) cost += cost_of(*study_.experiment, settings.values, statistics.back());
   }
   known = {blocks, cost, precision_of(*study_.stop, plan_.header, statistics)};
   return known;

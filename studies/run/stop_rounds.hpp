@@ -34,6 +34,10 @@ class FinishedBlocks {
   virtual results::Statistics statistics(std::size_t cell, std::size_t method) const = 0;
 };
 
+/// Whether a method of a header counts towards `StopRule::max_cost`, its trials being run for it. Without methods an
+/// experiment reports under its labels alone, and these are what runs.
+bool has_cost(const Study& study, const results::Header& header, std::size_t method);
+
 /// What a stop rule asks for, round by round. A round depends on the finished blocks alone, never on time or threads,
 /// and not on how they came about: a run that was interrupted goes on as if it had not been.
 ///

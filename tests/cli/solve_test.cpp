@@ -51,8 +51,8 @@ TEST_CASE("solve leaves out what cannot be used and says where, or refuses it") 
   CHECK(lenient.exit_code == 0);
   CHECK(contains(lenient.error, "bad.csv:2: \"x\" in column \"D\" is not a range, a number above 0\n"));
   CHECK(contains(lenient.error, "--strict refuses"));
-  CHECK(contains(lenient.out, "\n1,rrr,"));
-  CHECK(contains(lenient.out, "\n2,rrr,too_few_objects,,,,,,2,"));
+  CHECK(contains(lenient.out, "\n1,lm,"));
+  CHECK(contains(lenient.out, "\n2,lm,too_few_objects,,,,,,2,"));
 
   const Outcome strict = folder.ridgeloc("solve bad.csv --objects anchors.csv --strict -o fixes.csv");
   CHECK(strict.exit_code == 2);
@@ -84,7 +84,23 @@ TEST_CASE("solve refuses in one line what it is not told, or told twice") {
   CHECK(contains(refusal("wide.csv --objects anchors.csv --unit inch"), "--unit"));
   CHECK(contains(refusal("wide.csv --objects anchors.csv --start 1,2"), "--start"));
   CHECK(contains(refusal("wide.csv --objects anchors.csv --sigma 0"), "--sigma"));
-  CHECK(contains(refusal("wide.csv --objects anchors.csv --set solver.k=oracle_gm"), "true position"));
+  CHECK(contains(refusal("wide.csv --objects anchors.csv --solver rrr --set solver.k=oracle_gm"), "true position"));
+}
+
+TEST_CASE("solve writes over nothing that it reads, and over no study") {
+  const WithData folder;
+  const auto refusal = [&](const std::string& arguments) {
+    const Outcome outcome = folder.ridgeloc("solve " + arguments);
+    CHECK(outcome.exit_code == 2);
+    return outcome.error;
+  };
+  const std::string data = folder.read("wide.csv");
+  CHECK(contains(refusal("wide.csv --objects anchors.csv -o wide.csv"), "would be written over"));
+  CHECK(contains(refusal("wide.csv --objects anchors.csv -o f.csv --as-noise anchors.csv"), "would be written over"));
+  folder.write("mine.toml", "# mine");
+  CHECK(contains(refusal("wide.csv --objects anchors.csv -o f.csv --as-scene mine.toml"), "exists already"));
+  CHECK(folder.read("wide.csv") == data);
+  CHECK(folder.read("mine.toml") == "# mine");
 }
 
 TEST_CASE("one's own errors and places become a study that runs") {

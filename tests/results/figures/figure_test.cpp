@@ -227,6 +227,18 @@ TEST_CASE("points of a category stand beside each other and no line joins them")
   }
 }
 
+TEST_CASE("categories that are not drawn take no room") {
+  Summary summary = synthetic_summary();
+  summary.header.axes[0].values = {std::string("street"), std::string("hall")};
+  FigureSpec spec = synthetic_spec();
+  spec.where = {{"points", {"hall"}}};
+  const FigureData data = figure_data(summary, spec);
+  REQUIRE(data.x_ticks.size() == 1);
+  CHECK(data.x_ticks[0].position == 0.0);
+  CHECK(data.x_ticks[0].label == "hall");
+  for (const FigureLine& line : data.panels.at(0).lines) CHECK(std::abs(line.points.at(0).x) < 0.5);
+}
+
 /// The synthetic summary with an axis that moves along with another one.
 Summary zipped_summary(std::size_t with) {
   Summary summary = synthetic_summary();

@@ -35,6 +35,20 @@ TEST_CASE("rows of CSV: quotes, blanks, empty lines, ends of lines, a byte order
   CHECK(rows_of("a\n\"never closed") == Rows{{1, {"a"}}, {2, {"never closed\n"}}});
 }
 
+TEST_CASE("a quote that is not closed is told, at the end and where it goes on without end") {
+  const auto unclosed = [](const std::string& text) {
+    std::istringstream stream(text);
+    studies::CsvRows rows(stream);
+    std::vector<bool> all;
+    for (Cells cells; rows.next(cells);) all.push_back(rows.is_unclosed());
+    return all;
+  };
+  CHECK(unclosed("a,b\n\"c\",d\n\"e\n") == std::vector<bool>{false, false, true});
+  std::string long_text = "\"";
+  for (int i = 0; i < 40'000; ++i) long_text += "0123456789012345678901234567890123456789\n";
+  CHECK(unclosed(long_text).front());
+}
+
 TEST_CASE("numbers of CSV: with a decimal comma only where commas do not separate") {
   const auto number_in = [](const std::string& first_line, const std::string& cell) {
     std::istringstream stream(first_line);

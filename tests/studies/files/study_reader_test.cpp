@@ -159,11 +159,24 @@ TEST_CASE("each bad study gets one line with file, line, bound and nearest name"
             "points = [3, 4, 3]\nrange_sigma_m = [0.1, 0.1, 0.1]\nzip = [[\"points\", \"range_sigma_m\"]]"),
        "demo.toml:8: sweep.zip: points = 3, range_sigma_m = 0.1 stands there twice; zipped values differ in one axis"},
       {with("points = [3, 5]", "points = [3, 4]\nzip = [[\"points\"]]"), "demo.toml:7: sweep.zip needs two axes"},
+      {with("points = [3, 5]", "start_offset_m = [0.0, 1, -0.0]"), "demo.toml:6: sweep.start_offset_m lists 0.0 twice"},
+      {with("points = [3, 5]",
+            "points = { from = 3, to = 1000, step = 1 }\nrange_sigma_m = { from = 0.001, to = 1.003, step = 0.001 }"),
+       "demo.toml:5: [sweep] crosses to 1000994 cells; at most 1000000 are allowed"},
   }));
   const std::string error = error_of(text);
   INFO(text << "\n-> " << error);
   CHECK(error.find(message) != std::string::npos);
   CHECK(error.find('\n') == std::string::npos);
+}
+
+TEST_CASE("zipped axes count as one among the cells of a sweep") {
+  const Study study = read(with("points = [3, 5]",
+                                "points = { from = 3, to = 103, step = 1 }\n"
+                                "range_sigma_m = { from = 0.1, to = 10.1, step = 0.1 }\n"
+                                "start_offset_m = { from = 0, to = 10, step = 0.1 }\n"
+                                "zip = [[\"points\", \"range_sigma_m\", \"start_offset_m\"]]"));
+  CHECK(make_plan(study).cells.size() == 101);
 }
 
 TEST_CASE("methods are compared with the first one, or as [[compare]] says") {

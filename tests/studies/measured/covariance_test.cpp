@@ -37,19 +37,27 @@ TEST_CASE("the covariance is the sandwich, computed anew with dense matrices") {
     }
     const Eigen::VectorXd w = Eigen::Map<const Eigen::VectorXd>(weights.data(), 5);
     const Eigen::MatrixXd bread = (jacobian.transpose() * w.asDiagonal() * jacobian).inverse();
-    const Eigen::MatrixXd meat = jacobian.transpose() * w.cwiseAbs2().asDiagonal() * jacobian;
-    const double sigma = std::sqrt((0.0009 + 0.0001 + 0.0004 + 0.0025 + 0.0016) / static_cast<double>(5 - p));
-    Eigen::Matrix3d expected = Eigen::Matrix3d::Zero();
-    expected.topLeftCorner(p, p) = sigma * sigma * bread * meat * bread;
-
+    const Eigen::VectorXd e = Eigen::Map<const Eigen::VectorXd>(residuals.data(), 5);
+    const double left_over = static_cast<double>(5 - p);
+    const double sigma = std::sqrt(e.squaredNorm() / left_over);
+    const Eigen::MatrixXd from_residuals =
+        w.cwiseProduct(e).squaredNorm() / left_over * bread * jacobian.transpose() * jacobian * bread;
+    const Eigen::MatrixXd from_sigma =
+        0.01 * bread * jacobian.transpose() * w.cwiseAbs2().asDiagonal() * jacobian * bread;
+    const auto check = [&](const studies::Uncertainty& found, const Eigen::MatrixXd& expected_part) {
+      Eigen::Matrix3d expected = Eigen::Matrix3d::Zero();
+      expected.topLeftCorner(p, p) = expected_part;
+      REQUIRE(found.covariance);
+      const Eigen::Matrix<double, 6, 1> upper{expected(0, 0), expected(0, 1), expected(0, 2),
+                                              expected(1, 1), expected(1, 2), expected(2, 2)};
+      for (std::size_t i = 0; i < 6; ++i)
+        CHECK(std::abs((*found.covariance)[i] - upper[static_cast<Eigen::Index>(i)]) < 1e-14);
+    };
     const auto found = studies::uncertainty_of(epoch_at(room), inside, weights, residuals, knows_height, std::nullopt);
+    check(found, from_residuals);
+    check(studies::uncertainty_of(epoch_at(room), inside, weights, residuals, knows_height, 0.1), from_sigma);
     REQUIRE(found.sigma_m);
     CHECK(std::abs(*found.sigma_m - sigma) < 1e-15);
-    REQUIRE(found.covariance);
-    const Eigen::Matrix<double, 6, 1> upper{expected(0, 0), expected(0, 1), expected(0, 2),
-                                            expected(1, 1), expected(1, 2), expected(2, 2)};
-    for (std::size_t i = 0; i < 6; ++i)
-      CHECK(std::abs((*found.covariance)[i] - upper[static_cast<Eigen::Index>(i)]) < 1e-14);
     CHECK(std::abs(found.gdop - std::sqrt((jacobian.transpose() * jacobian).inverse().trace())) < 1e-12);
   }
 }

@@ -92,6 +92,26 @@ TEST_CASE("readings that are none are left out and named with their line") {
   CHECK(columns.epochs[0].readings.size() == 2);
 }
 
+TEST_CASE("an epoch whose row cannot be read keeps its place") {
+  const Read columns = read("epoch,A,B,C\n1,3,4,5\n2,3,4,5,6\n3,3,\"4,5\n");
+  REQUIRE(columns.epochs.size() == 3);
+  CHECK(columns.epochs[1].label == "2");
+  CHECK(columns.epochs[1].readings.empty());
+  CHECK(columns.epochs[2].readings.empty());
+  REQUIRE(columns.complaints.size() == 2);
+  CHECK(columns.complaints[1] == "data.csv:4: a quote that is not closed");
+  // Where an epoch is a row there is nothing to stand together.
+  CHECK(read("epoch,A,B,C\n1,3,4,5\n1,3,4,5\n").complaints.empty());
+}
+
+TEST_CASE("what is quoted from data is short and plain") {
+  const Read found = read("epoch,object,range_m\n1,A,\x1b[31m" + std::string(500, 'x') + "\n");
+  REQUIRE(found.complaints.size() == 1);
+  CHECK(found.complaints[0].size() < 200);
+  CHECK(found.complaints[0].find('\x1b') == std::string::npos);
+  CHECK(refusal_of("") == "data.csv: is empty; the first line names the columns");
+}
+
 TEST_CASE("data that say not what they are, are refused with what is there") {
   CHECK(
       refusal_of("t,D\n1,2\n") ==

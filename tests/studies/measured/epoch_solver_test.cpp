@@ -107,6 +107,24 @@ TEST_CASE("with a known height two objects are enough, and the height is that of
   CHECK(distance(*fixes[1][1].position, camera) < 1e-6);
 }
 
+TEST_CASE("a covariance is given where no step is left, and nowhere else") {
+  Epoch noisy = epoch_from(camera, room);
+  for (std::size_t j = 0; j < room.size(); ++j) noisy.readings[j].range_m += j % 2 == 0 ? 0.05 : -0.05;
+  const auto solved = [&](const std::string& methods) {
+    studies::EpochSolver solver(study_of("experiment = \"ranging\"\n[solver]\nstep_tolerance_m = 1e-3\n" + methods), {},
+                                core::best_isa());
+    return solve(solver, {noisy})[0][0];
+  };
+  const studies::Fix at_rest = solved("[[method]]\nsolver = \"lm\"\n");
+  CHECK(at_rest.is_settled);
+  CHECK(at_rest.uncertainty.covariance);
+  // A large K takes short steps far from the minimum.
+  const studies::Fix damped = solved("k_fixed = 1e9\n[[method]]\nsolver = \"rr\"\nk = \"fixed\"\n");
+  REQUIRE(damped.status == "converged");
+  CHECK(!damped.is_settled);
+  CHECK(!damped.uncertainty.covariance);
+}
+
 TEST_CASE("an epoch with too few objects has no position, and those beside it have theirs") {
   studies::EpochSolver solver(study_of(exact_solvers), {}, core::best_isa());
   const auto fixes =

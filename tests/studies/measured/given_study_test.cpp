@@ -48,6 +48,13 @@ TEST_CASE("errors are residuals made larger by what the fit took from them") {
   CHECK(of_two.str() == "error_m\n1.4142135623730951\n0\n0\n0\n");
 }
 
+TEST_CASE("of more errors than a study takes, as many as it takes are kept, evenly") {
+  studies::GivenStudy given;
+  for (int i = 0; i < 60'000; ++i) given.add(epoch_of(4), fix_of("converged", {1.0, 2.0, 3.0, 4.0}), false);
+  CHECK(given.errors() <= 100'000);
+  CHECK(given.errors() > 50'000);
+}
+
 TEST_CASE("a scene of measured places is a study that can be read, near its origin") {
   studies::GivenStudy given;
   given.add(epoch_of(4), fix_of("converged", {0.5, -0.5, 0.5, -0.5}), false);

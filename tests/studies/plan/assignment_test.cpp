@@ -66,9 +66,8 @@ TEST_CASE("an assignment finds cells and methods of a study in a wider one, wher
 TEST_CASE("the order of the axes does not change what a cell is") {
   const auto hashes = [](const std::string& sweep) {
     std::set<std::string> set;
-    for (const Cell& cell :
-         make_plan(read_study({"s", "s.toml", "experiment = \"ranging\"\n[sweep]\n" + sweep + ols})).cells)
-      set.insert(cell.hash);
+    const Plan plan = make_plan(read_study({"s", "s.toml", "experiment = \"ranging\"\n[sweep]\n" + sweep + ols}));
+    for (const auto& cell : plan.header.cells) set.insert(cell.hash);
     return set;
   };
   CHECK(hashes("points = [3, 4]\nrange_sigma_m = [0.1, 0.2]\n") ==

@@ -92,6 +92,26 @@ TEST_CASE("zipped axes may repeat values, which stand once on the axis of the re
   CHECK(p.header.cells[2].indices == std::vector<std::size_t>{1, 1});
   CHECK(std::get<double>(p.cells[2].values.at("range_sigma_m")) == 0.2);
   CHECK(std::get<std::int64_t>(p.header.axes[0].values[1]) == 7);
+  // That of the lines "points = 7" and "range_sigma_m = 0.2", wherever they stand.
+  CHECK(p.header.cells[2].hash == "64a6175da92f500c");
+}
+
+TEST_CASE("exclude leaves out all rows of zipped axes that have a repeated value") {
+  const std::string axes =
+      "points = [3, 3, 7, 7]\nrange_sigma_m = [0.1, 0.2, 0.2, 0.3]\nstart_offset_m = [1, 5]\n"
+      "zip = [[\"points\", \"range_sigma_m\"]]\n";
+  const Plan by_one = plan(axes + "exclude = [{ points = 7 }]");
+  REQUIRE(by_one.cells.size() == 4);
+  for (const results::CellInfo& cell : by_one.header.cells) CHECK(cell.indices[0] == 0);
+  CHECK(by_one.cells.has_any({{"points", std::int64_t{3}}, {"range_sigma_m", 0.2}}));
+  CHECK_FALSE(by_one.cells.has_any({{"points", std::int64_t{7}}}));
+  CHECK_FALSE(by_one.cells.has_any({{"range_sigma_m", 0.3}}));
+
+  const Plan by_two = plan(axes + "exclude = [{ points = 7, range_sigma_m = 0.2 }]");
+  CHECK(by_two.cells.size() == 6);
+  CHECK(by_two.cells.has_any({{"points", std::int64_t{7}}}));
+  CHECK(by_two.cells.has_any({{"range_sigma_m", 0.2}}));
+  CHECK_FALSE(by_two.cells.has_any({{"points", std::int64_t{7}}, {"range_sigma_m", 0.2}}));
 }
 
 TEST_CASE("blocks cover the trials of a cell, the last one in part") {

@@ -127,3 +127,16 @@ TEST_CASE("differences name each key that changes every number, and no other") {
                                                       "seed is 1, not 2"});
   CHECK(differences(a, a).empty());
 }
+
+TEST_CASE("a union of more cells than a study may have is refused, and so is its plan") {
+  const auto sweep = [](const std::string& points, const std::string& sigma) {
+    return study("[sweep]\npoints = " + points + "\nrange_sigma_m = " + sigma + "\n" + ols_alone);
+  };
+  const Study wide = sweep("{ from = 3, to = 1000, step = 1 }", "{ from = 0.001, to = 1, step = 0.001 }");
+  const std::string expected =
+      "s: its sweep crosses to 1000994 cells; at most 1000000 are allowed, so cut it in pieces";
+  CHECK(refusal(wide, sweep("[3]", "[2, 3, 4]")) == expected);
+  Study all = wide;
+  all.sweep[1].values.insert(all.sweep[1].values.end(), {2.0, 3.0, 4.0});
+  CHECK(tests::refusal_of([&] { make_plan(all); }) == expected);
+}

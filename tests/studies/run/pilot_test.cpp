@@ -98,7 +98,7 @@ TEST_CASE("what preparing a cell takes is known from the first round, in later o
   study.trials = 64;
   study.audit = 0.0;
   Plan plan;
-  plan.cells.resize(1);
+  plan.cells = CellGrid(study);  // one cell, without axes
   plan.header.schema = experiment.schema();
   plan.header.block_trials = experiment.block_trials();
   plan.header.cells.resize(1);

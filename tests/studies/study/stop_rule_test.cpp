@@ -10,6 +10,7 @@
 #include "studies/files/study_writer.hpp"
 #include "studies/registry.hpp"
 #include "studies/run/runner.hpp"
+#include "studies/run/stop_rounds.hpp"
 #include "studies/study/capabilities.hpp"
 #include "studies/study/unmet_cells.hpp"
 #include "tests/support/catch.hpp"
@@ -149,6 +150,20 @@ TEST_CASE("a cell is worth its squared error per cost, and first of all where th
   CHECK(priority({2.0, true}, 100.0) < priority({3.0, true}, 200.0));
   CHECK(priority({0.5, false}, 100.0) == 0.01);
   CHECK(std::isinf(priority({std::nan(""), true}, 100.0)));
+}
+
+TEST_CASE("methods have a cost, or the labels of an experiment without any") {
+  const auto costs = [](const Study& s) {
+    const results::Header header = make_plan(s).header;
+    std::vector<std::string> labels;
+    for (std::size_t m = 0; m < header.methods.size(); ++m)
+      if (has_cost(s, header, m)) labels.push_back(header.methods[m].label);
+    return labels;
+  };
+  const Study compared = study(precise);
+  CHECK(make_plan(compared).header.methods.size() > 3);
+  CHECK(costs(compared) == std::vector<std::string>{"rr", "rrr"});
+  CHECK(costs(read_study({"s", "s.toml", "experiment = \"detection\"\n"})) == std::vector<std::string>{"detector"});
 }
 
 TEST_CASE("a limit of the cost is spent in the same way by any threads, interrupted or not") {
