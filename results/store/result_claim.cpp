@@ -16,17 +16,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A run says how far it is every two seconds.
-constexpr double living_s = 20.0;
-
-/// Throws core::InputError if a run has said that it goes on, moments ago.
+/// Throws core::InputError if a run says that it goes on.
 void refuse_living_run(const fs::path& folder) {
-  const auto found = find_run_record(folder);
-  if (!found || found->record.state == RunRecord::State::Stopped || found->age_s > living_s) return;
+  const auto run = find_living_run(folder);
+  if (!run) return;
   throw core::InputError(fmt::format(
-      "{}: process {} on {} seems to be writing there, {:.0f} s ago, and this file system has no locks; wait "
-      "for it, stop it, or choose another -o",
-      folder.string(), found->record.process, found->record.machine, found->age_s));
+      "{}: process {} on {} is writing there, and this file system has no locks; wait for it, stop it, or choose "
+      "another -o",
+      folder.string(), run->process, run->machine));
 }
 
 }  // namespace

@@ -23,6 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds interval{2};
+/// Who says nothing new for so long is taken for gone.
+constexpr auto patience = 5 * interval / 2;
 
 /// A line of the file for each: its name, a blank, its value.
 constexpr std::pair<const char*, std::uint64_t RunRecord::*> counts[] = {
@@ -78,6 +80,18 @@ void write(const fs::path& file, const RunRecord& record) {
   }
 }
 
+/// The record in a file; none if there is none that can be read.
+std::optional<RunRecord> record_in(const fs::path& file) {
+  std::error_code absent;
+  if (!fs::is_regular_file(file, absent)) return std::nullopt;
+  RunRecord record;
+  std::ifstream in(file, std::ios::binary);
+  std::size_t lines = 0;
+  for (std::string line; std::getline(in, line); ++lines)
+    if (!read_line(line, record)) return std::nullopt;
+  return lines > 0 ? std::optional(record) : std::nullopt;
+}
+
 }  // namespace
 
 fs::path run_record_file(const fs::path& folder) {
@@ -86,18 +100,26 @@ fs::path run_record_file(const fs::path& folder) {
 
 std::optional<FoundRecord> find_run_record(const fs::path& folder) {
   const fs::path file = run_record_file(folder);
+  std::optional<RunRecord> record = record_in(file);
   std::error_code absent;
-  if (!fs::is_regular_file(file, absent)) return std::nullopt;
-  FoundRecord found;
-  std::ifstream in(file, std::ios::binary);
-  std::size_t lines = 0;
-  for (std::string line; std::getline(in, line); ++lines)
-    if (!read_line(line, found.record)) return std::nullopt;
   const fs::file_time_type written = fs::last_write_time(file, absent);
-  if (lines == 0 || absent) return std::nullopt;
+  if (!record || absent) return std::nullopt;
   const std::chrono::duration<double> age = fs::file_time_type::clock::now() - written;
-  found.age_s = std::max(age.count(), 0.0);
-  return found;
+  return FoundRecord{std::move(*record), std::max(age.count(), 0.0)};
+}
+
+std::optional<RunRecord> find_living_run(const fs::path& folder) {
+  constexpr auto pause = std::chrono::milliseconds(50);
+  const fs::path file = run_record_file(folder);
+  const std::optional<RunRecord> first = record_in(file);
+  if (!first) return std::nullopt;
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  for (std::optional<RunRecord> last = first;; last = record_in(file)) {
+    if (last && last->state == RunRecord::State::Stopped) return std::nullopt;
+    if (last && *last != *first) return last;
+    if (std::chrono::steady_clock::now() >= deadline) return std::nullopt;
+    std::this_thread::sleep_for(pause);
+  }
 }
 
 RunRecorder::RunRecorder(fs::path folder, std::function<RunRecord()> now)

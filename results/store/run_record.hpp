@@ -23,6 +23,8 @@ struct RunRecord {
   std::uint64_t trials_total = 0;
   std::uint64_t trials_done = 0;   ///< by this run, those of blocks under way included
   std::uint64_t trials_found = 0;  ///< finished before
+
+  bool operator==(const RunRecord&) const = default;
 };
 
 /// Where a run says so, in the folder of its parts.
@@ -34,6 +36,11 @@ struct FoundRecord {
   double age_s = 0.0;
 };
 std::optional<FoundRecord> find_run_record(const std::filesystem::path& folder);
+
+/// The record of a run that writes into a folder, told by its going on while it is looked at: none of one that has
+/// stopped, or that says nothing new for 5 s. Clocks and dates of files are not asked: those of another machine may be
+/// wrong.
+std::optional<RunRecord> find_living_run(const std::filesystem::path& folder);
 
 /// Writes a record every two seconds while it lives, and a last one with `State::Stopped`. What goes wrong is let pass:
 /// nobody's work depends on it.

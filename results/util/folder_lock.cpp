@@ -60,19 +60,17 @@ FolderLock::FolderLock(const fs::path& folder) : file_(folder / "lock"), mark_(r
       descriptor_ = open_lock(file_, O_RDWR);
       error = lock_error(descriptor_);
     }
-    if (error == EWOULDBLOCK) {
-      ::close(descriptor_);
-      if (std::chrono::steady_clock::now() < deadline) {
-        std::this_thread::sleep_for(pause);
-        continue;
-      }
+    const bool is_held = error == EWOULDBLOCK;
+    failure_ = error == 0 || is_held ? "" : system_message(error);
+    // The run that held the lock may have removed the file since it was opened: then this locks one without a name.
+    if (!is_held && is_named()) return;
+    ::close(descriptor_);
+    if (std::chrono::steady_clock::now() >= deadline) {
+      if (!is_held) throw core::IoError(fmt::format("cannot lock {}: it does not stay the same file", file_.string()));
       throw core::InputError(
           fmt::format("another run is writing to {}; wait for it, stop it, or choose another -o", folder.string()));
     }
-    if (error != 0) failure_ = system_message(error);
-    // The run that held the lock may have removed the file since it was opened: then this locks one without a name.
-    if (is_named()) break;
-    ::close(descriptor_);
+    std::this_thread::sleep_for(pause);
   }
 }
 

@@ -14,7 +14,7 @@ namespace ridgeloc::results {
 class FolderLock {
  public:
   /// Makes the folder, if its last holder has removed it. Throws core::InputError if another process holds it for a
-  /// second, core::IoError if the file cannot be opened.
+  /// second, core::IoError if the file cannot be opened or is another one each time.
   explicit FolderLock(const std::filesystem::path& folder);
   /// Removes the file, which nobody else can hold then, and lets others in.
   ~FolderLock();

@@ -296,8 +296,8 @@ TEST_CASE("where there are no locks that is said, and a second run is refused by
   INFO(outcome.error);
   CHECK(outcome.out == "2\n4\n");
   CHECK(line_count(outcome.error) == 1);
-  CHECK(contains(outcome.error, "seems to be writing there, "));
-  CHECK(contains(outcome.error, " s ago, and this file system has no locks; wait for it, stop it, or choose another"));
+  CHECK(contains(outcome.error,
+                 " is writing there, and this file system has no locks; wait for it, stop it, or choose another"));
   const std::string first = folder.read("first");
   INFO(first);
   CHECK(contains(first,
@@ -305,6 +305,23 @@ TEST_CASE("where there are no locks that is said, and a second run is refused by
   CHECK(contains(first, "The same command goes on from there."));
   // Whoever was stopped is nobody to wait for.
   CHECK(folder.shell(program + "run s.toml --trials 1000").exit_code == 0);
+}
+
+TEST_CASE("where there are no locks a run that was killed a moment ago keeps nobody away") {
+  const WithStudy folder(study);
+  const std::string program = on_odd_file_system("LOCK_ERROR", ENOLCK);
+  const Outcome outcome = folder.shell(program + "run s.toml --trials 1e10 2> first & run=$!; " + until_begun +
+                                       "kill -KILL $run; wait $run; " + program + "run s.toml --trials 1000");
+  INFO(outcome.error);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out == "s.h5\n");
+}
+
+TEST_CASE("a lock that is another file each time is given up") {
+  const WithStudy folder(study);
+  const Outcome outcome = folder.shell("timeout 60 env " + on_odd_file_system("OTHER_LOCK_FILE", 1) + "run s.toml");
+  CHECK(outcome.exit_code == 3);
+  CHECK(outcome.error == "ridgeloc: cannot lock s.h5.parts/lock: it does not stay the same file\n");
 }
 
 TEST_CASE("where there are no locks a run that another one has come upon ends before it writes") {

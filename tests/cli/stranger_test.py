@@ -46,6 +46,7 @@ RESULT_VERBS = [
     "compare r.h5 r.h5", "status r.h5", "run own.toml -o r.h5", "plan r.h5", "run r.h5"]
 SHOWING_VERBS = [verb for verb in RESULT_VERBS if verb.split()[0] in ("summary", "export", "plot", "report", "replay")]
 STUDY_VERBS = ["plan s.toml", "run s.toml -o s.h5", "replay s.toml --cell 0 --trial 1 -o replay.svg"]
+SAID = "what it says"
 OUTPUTS = ["plotted", "report.html", "replay.svg", "merged.h5", "s.h5", "figure.svg"]
 
 
@@ -56,7 +57,7 @@ class Stranger:
         self.folder = place / "inside"
         self.folder.mkdir()
         self.problems = []
-        self.used = 0
+        self.is_harmful = lambda name, text: False
 
     def call(self, verb):
         """Exit code and all that is said."""
@@ -73,11 +74,24 @@ class Stranger:
             self.problems.append(f"{verb}: exit code {done.returncode}: {said[-300:]}")
         return done.returncode, said
 
-    def texts(self):
-        """All that the verbs have written."""
-        for path in self.folder.rglob("*"):
-            if path.is_file() and path.name in OUTPUTS:
-                yield path.name, path.read_bytes().decode(errors="replace")
+    def outputs(self):
+        """All that a verb has written, folders before what lies in them."""
+        for name in OUTPUTS:
+            path = self.folder / name
+            if path.exists():
+                yield from [path, *path.rglob("*")]
+
+    def judged(self, what, verb):
+        """What the verb did, its exit code and all that is said. Its outputs, which are none of an earlier one, are
+        looked at too."""
+        for path in reversed(list(self.outputs())):
+            path.rmdir() if path.is_dir() else path.unlink()
+        code, said = self.call(verb)
+        texts = {path.name: path.read_bytes().decode(errors="replace") for path in self.outputs() if path.is_file()}
+        for name, text in {SAID: said, **texts}.items():
+            if self.is_harmful(name, text):
+                self.problems.append(f"{what!r}: {verb}: {name} holds what the stranger wants there")
+        return f"{what}: {verb}", code, said
 
     def make_result(self):
         (self.folder / "own.toml").write_text(STUDY)
@@ -98,13 +112,13 @@ class Stranger:
 
     def study(self, text, what):
         (self.folder / "s.toml").write_text(text)
-        return [(f"{what}: {verb}", *self.call(verb)) for verb in STUDY_VERBS]
+        return [self.judged(what, verb) for verb in STUDY_VERBS]
 
     def result(self, content, what, verbs=RESULT_VERBS):
         said = []
         for verb in verbs:
             (self.folder / "r.h5").write_bytes(content)
-            said.append((f"{what}: {verb}", *self.call(verb)))
+            said.append(self.judged(what, verb))
         return said
 
     def reads(self):
@@ -115,17 +129,16 @@ class Stranger:
             file.create_group("g").attrs["name"] = SECRET
         os.mkfifo(self.outside / "pipe")
         os.symlink(self.outside / "secret.csv", self.folder / "link.csv")
-        said = []
+        self.is_harmful = lambda name, text: SECRET in text
         for name in ("../secret.csv", str(self.outside / "secret.csv"), "link.csv", "../pipe", "/dev/stdin"):
             for setting in (f'[noise]\nnoise_model = "empirical"\nnoise_samples = {{ file = "{name}", column = "e_m" }}\n',
                             f'[scene]\nobjects = "given"\nobjects_m = {{ file = "{name}", columns = ["e_m", "e_m"] }}\n'):
                 text = STUDY.replace("[sweep]\npoints = [3, 5]\n", setting)
-                for what, code, output in self.study(text, name):
-                    said.append((what, output))
+                for what, code, _ in self.study(text, name):
                     if code != 2:
                         self.problems.append(f"{what}: exit code {code}")
         building = 'experiment = "building"\n[building]\nmap = { file = "../secret.csv" }\n[[method]]\nsolver = "ols"\n'
-        said.extend((what, output) for what, _, output in self.study(building, "a map"))
+        self.study(building, "a map")
 
         whole = self.make_result()
         for target in ("../secret.h5", str(self.outside / "pipe")):
@@ -152,19 +165,15 @@ class Stranger:
             changes |= {"virtual ledger/mean": elsewhere("ledger/mean", True)}
             for what, change in changes.items():
                 content = self.changed(whole, change, is_mended=False)
-                said.extend((which, output) for which, _, output in self.result(content, f"{what} to {target}"))
+                self.result(content, f"{what} to {target}")
 
         def samples(file):
             text = file["provenance"].attrs["study"].replace(
                 "noise_samples = []", 'noise_samples = { file = "../secret.csv", column = "e_m" }')
             file["provenance"].attrs.modify("study", text.replace('"normal"', '"empirical"'))
-        for what, code, output in self.result(self.changed(whole, samples), "samples of the study inside"):
-            said.append((what, output))
+        for what, code, _ in self.result(self.changed(whole, samples), "samples of the study inside"):
             if what.split(": ")[1].split()[0] in ("merge", "audit", "replay") and code != 2:
                 self.problems.append(f"{what}: exit code {code}")
-        for what, output in said + list(self.texts()):
-            if SECRET in output:
-                self.problems.append(f"{what}: shows what lies outside")
 
     def writes(self):
         """Names inside a study or a result lead to no file outside of the output that was asked for."""
@@ -191,6 +200,12 @@ class Stranger:
         """No text of a study or a result is taken for a command by a terminal, gnuplot, a shell or a browser."""
         whole = self.make_result()
         run = f"touch {self.outside}/started"
+
+        def is_command(name, text):
+            if name == SAID:
+                return "\x1b" in text or "\x9b" in text
+            return name.endswith((".html", ".svg")) and f"<script>{run}" in text
+        self.is_harmful = is_command
         texts = [f"`{run}`$({run})", f"'; system('{run}'); '", f"\"; system(\"{run}\"); \"", f"|{run}", f"\n!{run}\n",
                  f"\\write18{{{run}}}<script>{run}</script>%s%n%999999d", "{/:Bold `" + run + "`}",
                  "\x1b]0;of a stranger\x07\x9b31m"]
@@ -198,9 +213,7 @@ class Stranger:
             quoted = toml_text(text)
             plain = toml_text(text.replace("/", "_").replace("\n", " ")[:60])
             study = STUDY.replace('"of a stranger"', quoted).replace('solver = "ols"', f'solver = "ols"\nname = {plain}')
-            for what, _, output in self.study(study.replace('name = "figure"', f'name = "figure"\ntitle = {quoted}'), text):
-                if "\x1b" in output or "\x9b" in output:
-                    self.problems.append(f"{what}: sends commands to the terminal")
+            self.study(study.replace('name = "figure"', f'name = "figure"\ntitle = {quoted}'), text)
 
             def change(file):
                 for name in ("title", "aims", "experiment", "isa"):
@@ -222,16 +235,11 @@ class Stranger:
                 file["axes/0"].attrs.modify("description", text)
             self.result(self.changed(whole, change), text, SHOWING_VERBS)
             for what, code, output in self.result(self.changed(whole, gentle), text, SHOWING_VERBS):
-                if "\x1b" in output or "\x9b" in output:
-                    self.problems.append(f"{what}: sends commands to the terminal")
                 is_shown = what.split(": ")[-1].split()[0] in ("plot", "report", "export", "summary")
                 if is_shown and text.isprintable() and code != 0:
                     self.problems.append(f"{what}: exit code {code}: {output}")
             if (self.outside / "started").exists():
                 sys.exit(f"started by {text!r}")
-        for name, content in self.texts():
-            if "<script>touch" in content:
-                self.problems.append(f"{name}: holds a script of the stranger")
 
     def ends(self):
         """Whatever the file, a verb that reads it ends, and takes no more memory than its size accounts for."""

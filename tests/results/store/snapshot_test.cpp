@@ -1,6 +1,7 @@
 #include "results/store/snapshot.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <fstream>
 #include <thread>
 #include <utility>
@@ -171,6 +172,39 @@ TEST_CASE("a run says how far it is while it lives, and that it has stopped when
   CHECK(record()->record.state == RunRecord::State::Stopped);
   { ResultWriter(path, header).seal({}); }
   CHECK_FALSE(fs::exists(parts_folder(path)));
+}
+
+TEST_CASE("a run lives if its record goes on, whatever the dates of files say") {
+  const ScratchFolder folder;
+  const fs::path file = run_record_file(folder.path());
+  const auto write = [&](const std::string& seconds, const std::string& state) {
+    std::ofstream(file.string() + ".new") << "state " << state << "\nseconds " << seconds << "\nprocess 7\n";
+    fs::last_write_time(file.string() + ".new", fs::file_time_type::clock::now() - std::chrono::hours(1));
+    fs::rename(file.string() + ".new", file);
+  };
+  CHECK_FALSE(find_living_run(folder.path()));
+  write("1", "0");
+  {
+    const std::jthread run([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+      write("3", "0");
+    });
+    const auto living = find_living_run(folder.path());
+    REQUIRE(living);
+    CHECK(living->process == 7);
+  }
+  // The last thing that it says may be that it stops.
+  {
+    const std::jthread run([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+      write("4", "2");
+    });
+    CHECK_FALSE(find_living_run(folder.path()));
+  }
+  // One that was killed a moment ago, of a machine whose clock is ahead.
+  write("5", "0");
+  fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::hours(1));
+  CHECK_FALSE(find_living_run(folder.path()));
 }
 
 TEST_CASE("a record that cannot be read is none, and one that cannot be written harms nobody") {

@@ -129,6 +129,10 @@ TEST_CASE("a study names no file outside of its folder, the command line any") {
                                  " lies neither beside the study nor below; "
                                  "move it there, or name it on the command line, with --set"}) == "");
   }
+  // A folder of which nobody can say where it is has nothing inside.
+  fs::create_symlink("loop", residuals.folder / "loop");
+  CHECK(tests::lacking(error_of_file("own.csv", (residuals.folder / "loop" / "demo.toml").string()),
+                       {" lies neither beside the study nor below"}) == "");
   fs::copy_file(residuals.folder / "residuals.csv", folder / "own.csv");
   CHECK(error_of_file("own.csv", origin).empty());
   CHECK(error_of_file("./own.csv", origin).empty());
